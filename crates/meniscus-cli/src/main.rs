@@ -1,0 +1,2 @@
+//! The program `meniscus`.
+fn main() {}

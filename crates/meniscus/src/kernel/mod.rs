@@ -1,0 +1,77 @@
+//! Smoothing kernels.
+//!
+//! Every kernel is W(r, h) = C_D / h^D w(q) with q = r / h, zero from
+//! q = [`SmoothingKernel::SUPPORT`] on. A kernel's file states its shape w(q),
+//! its constants C_2 and C_3, and its source.
+
+mod truncated_gaussian;
+mod wendland_c2;
+
+pub use truncated_gaussian::TruncatedGaussian;
+pub use wendland_c2::WendlandC2;
+
+use crate::real::Real;
+
+/// The shape of a smoothing kernel, as formulas over any [`Real`].
+pub trait SmoothingKernel: Copy + Send + Sync + 'static {
+    /// Radius of the support over the smoothing length h.
+    const SUPPORT: f64;
+
+    /// The constant C_D that makes the integral over 2 or 3 dimensions one.
+    fn normalisation(dimension: usize) -> f64;
+
+    /// w(q), for any q >= 0; zero outside the support.
+    fn shape<R: Real>(q: R) -> R;
+
+    /// (1/q) dw/dq, for any q >= 0, finite at q = 0; zero outside the support.
+    fn slope_over_q<R: Real>(q: R) -> R;
+}
+
+/// The kernels on offer, chosen at run time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kernel {
+    /// [`TruncatedGaussian`]
+    TruncatedGaussian,
+    /// [`WendlandC2`]
+    WendlandC2,
+}
+
+/// Runs `$body` with the type `$K` bound to the kernel that `$kernel` names.
+macro_rules! with_kernel {
+    ($kernel:expr, $K:ident => $body:expr) => {
+        match $kernel {
+            $crate::kernel::Kernel::TruncatedGaussian => {
+                type $K = $crate::kernel::TruncatedGaussian;
+                $body
+            }
+            $crate::kernel::Kernel::WendlandC2 => {
+                type $K = $crate::kernel::WendlandC2;
+                $body
+            }
+        }
+    };
+}
+pub(crate) use with_kernel;
+
+impl Kernel {
+    /// Every kernel on offer.
+    pub const ALL: [Kernel; 2] = [Kernel::TruncatedGaussian, Kernel::WendlandC2];
+
+    /// Radius of the support over the smoothing length.
+    pub fn support(self) -> f64 {
+        with_kernel!(self, K => K::SUPPORT)
+    }
+
+    /// W(r, h) in 1/m^D for a distance `r` and smoothing length `h` in metres.
+    pub fn value(self, r: f64, h: f64, dimension: usize) -> f64 {
+        with_kernel!(self, K => K::normalisation(dimension) / h.powi(dimension as i32) * K::shape(r / h))
+    }
+
+    /// dW/dr in 1/m^(D+1) for a distance `r` and smoothing length `h` in metres.
+    pub fn slope(self, r: f64, h: f64, dimension: usize) -> f64 {
+        let q = r / h;
+        with_kernel!(self, K => {
+            K::normalisation(dimension) / h.powi(dimension as i32 + 1) * K::slope_over_q(q) * q
+        })
+    }
+}
