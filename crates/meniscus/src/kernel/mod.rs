@@ -4,16 +4,29 @@
 //! q = [`SmoothingKernel::SUPPORT`] on. A kernel's file states its shape w(q),
 //! its constants C_2 and C_3, and its source.
 
+mod cubic_spline;
+mod lucy_quartic;
+mod quintic_spline;
+#[cfg(test)]
+mod tests;
 mod truncated_gaussian;
 mod wendland_c2;
+mod wendland_c4;
 
+pub use cubic_spline::CubicSpline;
+pub use lucy_quartic::LucyQuartic;
+pub use quintic_spline::QuinticSpline;
 pub use truncated_gaussian::TruncatedGaussian;
 pub use wendland_c2::WendlandC2;
+pub use wendland_c4::WendlandC4;
 
 use crate::real::Real;
 
 /// The shape of a smoothing kernel, as formulas over any [`Real`].
 pub trait SmoothingKernel: Copy + Send + Sync + 'static {
+    /// The name in case files and tables.
+    const NAME: &'static str;
+
     /// Radius of the support over the smoothing length h.
     const SUPPORT: f64;
 
@@ -30,22 +43,46 @@ pub trait SmoothingKernel: Copy + Send + Sync + 'static {
 /// The kernels on offer, chosen at run time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kernel {
+    /// [`CubicSpline`]
+    CubicSpline,
+    /// [`QuinticSpline`]
+    QuinticSpline,
     /// [`TruncatedGaussian`]
     TruncatedGaussian,
+    /// [`LucyQuartic`]
+    LucyQuartic,
     /// [`WendlandC2`]
     WendlandC2,
+    /// [`WendlandC4`]
+    WendlandC4,
 }
 
 /// Runs `$body` with the type `$K` bound to the kernel that `$kernel` names.
 macro_rules! with_kernel {
     ($kernel:expr, $K:ident => $body:expr) => {
         match $kernel {
+            $crate::kernel::Kernel::CubicSpline => {
+                type $K = $crate::kernel::CubicSpline;
+                $body
+            }
+            $crate::kernel::Kernel::QuinticSpline => {
+                type $K = $crate::kernel::QuinticSpline;
+                $body
+            }
             $crate::kernel::Kernel::TruncatedGaussian => {
                 type $K = $crate::kernel::TruncatedGaussian;
                 $body
             }
+            $crate::kernel::Kernel::LucyQuartic => {
+                type $K = $crate::kernel::LucyQuartic;
+                $body
+            }
             $crate::kernel::Kernel::WendlandC2 => {
                 type $K = $crate::kernel::WendlandC2;
+                $body
+            }
+            $crate::kernel::Kernel::WendlandC4 => {
+                type $K = $crate::kernel::WendlandC4;
                 $body
             }
         }
@@ -55,7 +92,19 @@ pub(crate) use with_kernel;
 
 impl Kernel {
     /// Every kernel on offer.
-    pub const ALL: [Kernel; 2] = [Kernel::TruncatedGaussian, Kernel::WendlandC2];
+    pub const ALL: [Kernel; 6] = [
+        Kernel::CubicSpline,
+        Kernel::QuinticSpline,
+        Kernel::TruncatedGaussian,
+        Kernel::LucyQuartic,
+        Kernel::WendlandC2,
+        Kernel::WendlandC4,
+    ];
+
+    /// The name in case files and tables, such as "cubic-spline".
+    pub fn name(self) -> &'static str {
+        with_kernel!(self, K => K::NAME)
+    }
 
     /// Radius of the support over the smoothing length.
     pub fn support(self) -> f64 {

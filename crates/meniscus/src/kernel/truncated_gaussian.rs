@@ -14,6 +14,7 @@ use crate::real::Real;
 pub struct TruncatedGaussian;
 
 impl SmoothingKernel for TruncatedGaussian {
+    const NAME: &'static str = "truncated-gaussian";
     const SUPPORT: f64 = 3.0;
 
     fn normalisation(dimension: usize) -> f64 {

@@ -12,10 +12,15 @@ use crate::real::Real;
 pub struct WendlandC2;
 
 impl SmoothingKernel for WendlandC2 {
+    const NAME: &'static str = "wendland-c2";
     const SUPPORT: f64 = 2.0;
 
     fn normalisation(dimension: usize) -> f64 {
-        if dimension == 2 { 7.0 / (4.0 * PI) } else { 21.0 / (16.0 * PI) }
+        if dimension == 2 {
+            7.0 / (4.0 * PI)
+        } else {
+            21.0 / (16.0 * PI)
+        }
     }
 
     #[inline(always)]
