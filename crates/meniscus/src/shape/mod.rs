@@ -1,0 +1,33 @@
+//! Where the particles of a body begin: a [`Shape`] is filled by an
+//! [`Arrangement`].
+//!
+//! - `geometry`: shapes, and whether a point is inside
+//! - `polygon`: the same for a polygon
+//! - `rotation`: how a shape or a lattice is turned
+//! - `arrangement`: lattices and rings, and filling a shape with them
+//! - `jitter`: small random displacements, the same for ever
+//!
+//! ```
+//! use meniscus::Vector;
+//! use meniscus::shape::{Arrangement, Pattern, Shape};
+//!
+//! let drop = Shape::Ball { centre: Vector([0.0, 0.0]), radius: 1e-3 };
+//! let lattice = Arrangement::new(Pattern::ClosePacked, 5e-5);
+//! let positions = lattice.fill(&drop, 10_000).unwrap();
+//! // The particles' volume is the disc's, up to the ragged edge.
+//! let volume = positions.len() as f64 * lattice.particle_volume();
+//! assert!((volume / (std::f64::consts::PI * 1e-6) - 1.0).abs() < 0.01);
+//! ```
+
+mod arrangement;
+mod geometry;
+mod jitter;
+mod polygon;
+mod rotation;
+
+pub use arrangement::{Arrangement, FillError, Pattern};
+pub use geometry::Shape;
+pub use rotation::Rotation;
+
+#[cfg(test)]
+mod tests;
