@@ -1,0 +1,27 @@
+//! Exact results that simulations are held against.
+//!
+//! Each function states its formula, source and units (SI throughout) and is
+//! tested against a number known from elsewhere. Where a result exists for a
+//! two-dimensional body (a slice through a long rod, everything per metre of
+//! its length) and a three-dimensional one, `dimension` is 2 or 3. Nothing is
+//! checked: a negative density gives NaN.
+
+mod artificial_viscosity;
+mod cap;
+mod capillary;
+mod dimensionless;
+mod ellipsoid;
+mod laplace;
+mod oscillation;
+mod viscous_oscillation;
+
+pub use artificial_viscosity::artificial_kinematic_viscosity;
+pub use cap::{Cap, contact_angle};
+pub use capillary::{capillary_length, capillary_time, capillary_velocity};
+pub use dimensionless::{
+    bond_number, capillary_number, laplace_number, ohnesorge_number, reynolds_number, weber_number,
+};
+pub use ellipsoid::{ellipse_perimeter, ellipsoid_area, equivalent_radius};
+pub use laplace::{pressure_jump, surface_tension_from_pressure};
+pub use oscillation::{angular_frequency, surface_tension_from_frequency};
+pub use viscous_oscillation::{ViscousOscillation, lamb_damping_rate, viscous_oscillation};
