@@ -11,6 +11,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A number, or a lane of numbers, that physics formulas are written in.
 pub trait Real:
     Copy
+    + Send
+    + Sync
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>

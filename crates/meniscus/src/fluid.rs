@@ -1,0 +1,20 @@
+//! What a liquid is made of.
+
+/// One liquid. All SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fluid {
+    /// Name, for messages and output.
+    pub name: String,
+    /// Density at zero pressure above background, rho_0, kg/m^3.
+    pub density: f64,
+    /// Numerical speed of sound c, m/s.
+    pub sound_speed: f64,
+    /// Exponent gamma of Tait's equation of state.
+    pub stiffness_exponent: f64,
+    /// Pressure added everywhere, Pa.
+    pub background_pressure: f64,
+    /// Dynamic viscosity mu, Pa s; zero for none.
+    pub viscosity: f64,
+    /// Surface tension sigma against the surroundings, N/m; zero for none.
+    pub surface_tension: f64,
+}

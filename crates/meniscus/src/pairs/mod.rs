@@ -1,0 +1,229 @@
+//! The pair engine. Physics never sees it: a [`PairTerm`](crate::PairTerm)
+//! comes in, one sum per particle goes out.
+//!
+//! - `columns`: particles sorted along a snake of columns
+//! - `lists`: clusters of eight and what is near them
+//! - `images`: periodic images
+//! - `lane`: eight particles as one [`Real`](crate::Real)
+//! - `sweep`: a term summed over the lists
+//! - `buffer`: aligned scratch memory
+
+mod buffer;
+mod columns;
+mod images;
+mod lane;
+mod lists;
+mod sweep;
+
+pub use images::Domain;
+
+use columns::{Columns, largest_move};
+use fearless_simd::Level;
+use images::Image;
+use lists::{Chunk, Sorted};
+use rayon::prelude::*;
+
+use crate::kernel::{Kernel, with_kernel};
+use crate::particles::{Particles, Scratch};
+use crate::term::{PairTerm, Record, ScaledKernel, Sweep};
+use crate::vector::Vector;
+
+/// Which instructions the sweeps use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instructions {
+    /// The best that the processor has.
+    Best,
+    /// At most AVX2.
+    Avx2,
+    /// What every processor of the architecture has.
+    Portable,
+}
+
+/// Neighbour lists of a set of particles, and the sweeps over them.
+#[derive(Debug)]
+pub struct Pairs<const D: usize> {
+    kernel: Kernel,
+    smoothing_length: f64,
+    domain: Domain<D>,
+    support: f64,
+    skin: f64,
+    level: Level,
+    columns: Columns<D>,
+    image_columns: Columns<D>,
+    images: Vec<Image<D>>,
+    sorted_images: Vec<Image<D>>,
+    image_points: Vec<Vector<f64, D>>,
+    chunks: Vec<Chunk>,
+    /// Positions when the lists were built.
+    reference: Vec<Vector<f64, D>>,
+    records: buffer::LineBuffer,
+    scratch: Scratch<D>,
+    builds: u64,
+}
+
+impl<const D: usize> Pairs<D> {
+    /// An engine for particles about `spacing` metres apart, with lists that
+    /// reach `skin` metres further than the kernel's support.
+    pub fn new(
+        kernel: Kernel,
+        smoothing_length: f64,
+        spacing: f64,
+        skin: f64,
+        domain: Domain<D>,
+    ) -> Self {
+        // Clusters of eight come out about as wide as long.
+        let width = spacing * (lane::WIDTH as f64).powf(1.0 / D as f64);
+        Self {
+            kernel,
+            smoothing_length,
+            domain,
+            support: kernel.support() * smoothing_length,
+            skin,
+            level: Level::new(),
+            columns: Columns::new(width),
+            image_columns: Columns::new(width),
+            images: Vec::new(),
+            sorted_images: Vec::new(),
+            image_points: Vec::new(),
+            chunks: Vec::new(),
+            reference: Vec::new(),
+            records: buffer::LineBuffer::default(),
+            scratch: Scratch::default(),
+            builds: 0,
+        }
+    }
+
+    /// Restricts the instructions, to measure or to test the other paths.
+    pub fn set_instructions(&mut self, instructions: Instructions) {
+        self.level = match instructions {
+            Instructions::Best => Level::new(),
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Instructions::Avx2 => Level::new()
+                .as_avx2()
+                .map_or(Level::baseline(), Level::Avx2),
+            #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+            Instructions::Avx2 => Level::new(),
+            Instructions::Portable => Level::baseline(),
+        };
+    }
+
+    /// Sorts the particles and builds the lists anew.
+    pub fn rebuild(&mut self, particles: &mut Particles<D>) {
+        if self.domain.is_periodic() {
+            for point in &mut particles.position {
+                self.domain.wrap(point);
+            }
+        }
+        self.columns.sort(&particles.position);
+        particles.permute(self.columns.order(), &mut self.scratch);
+        self.reference.clear();
+        self.reference.extend_from_slice(&particles.position);
+        self.list();
+    }
+
+    /// Builds the lists again that [`rebuild`](Self::rebuild) made for sorted
+    /// particles at `reference`; false if these are not sorted.
+    pub(crate) fn restore(&mut self, reference: &[Vector<f64, D>]) -> bool {
+        self.columns.sort(reference);
+        self.reference = reference.to_vec();
+        let sorted = (0..).zip(self.columns.order()).all(|(k, &row)| k == row);
+        if sorted {
+            self.list();
+        }
+        sorted
+    }
+
+    fn list(&mut self) {
+        self.builds += 1;
+        let reach = self.support + self.skin;
+        images::collect(&self.domain, &self.reference, reach, &mut self.images);
+        self.image_points.clear();
+        self.image_points.extend(
+            (self.images.iter()).map(|image| self.reference[image.source as usize] + image.shift),
+        );
+        self.image_columns.sort(&self.image_points);
+        let order = self.image_columns.order();
+        self.sorted_images.clear();
+        self.sorted_images
+            .extend(order.iter().map(|&k| self.images[k as usize]));
+        self.image_points.clear();
+        self.image_points.extend(
+            (self.sorted_images.iter())
+                .map(|image| self.reference[image.source as usize] + image.shift),
+        );
+        let real = Sorted {
+            columns: &self.columns,
+            points: &self.reference,
+        };
+        let images = Sorted {
+            columns: &self.image_columns,
+            points: &self.image_points,
+        };
+        lists::build(&mut self.chunks, &real, &images, reach);
+    }
+
+    /// Whether particles have moved so far that a pair may be missing from the lists.
+    pub fn is_stale(&self, particles: &Particles<D>) -> bool {
+        let largest = largest_move(&particles.position, &self.reference);
+        // Written so that a NaN counts as stale.
+        !(4.0 * largest <= self.skin * self.skin) || self.reference.len() != particles.len()
+    }
+
+    /// Positions for which the lists were built.
+    pub(crate) fn reference(&self) -> &[Vector<f64, D>] {
+        &self.reference
+    }
+
+    /// How often lists were built.
+    pub fn builds(&self) -> u64 {
+        self.builds
+    }
+
+    /// Mean number of list entries per cluster; each costs one pair formula for eight lanes.
+    pub fn entries_per_cluster(&self) -> f64 {
+        let entries: usize = self.chunks.iter().map(Chunk::entries).sum();
+        let clusters = self.reference.len().div_ceil(lane::WIDTH);
+        entries as f64 / clusters.max(1) as f64
+    }
+
+    /// Memory held by lists and scratch, bytes.
+    pub fn bytes(&self) -> usize {
+        let lists: usize = self.chunks.iter().map(Chunk::bytes).sum();
+        lists + self.records.bytes() + self.reference.capacity() * size_of::<Vector<f64, D>>()
+    }
+}
+
+impl<const D: usize> Sweep<D> for Pairs<D> {
+    fn sweep<T: PairTerm<D>>(
+        &mut self,
+        term: &T,
+        particles: &Particles<D>,
+        active: impl Fn(std::ops::Range<usize>) -> bool + Sync,
+        sums: &mut Vec<T::Sum<f64>>,
+    ) {
+        let stride = sweep::stride(D + T::Record::<f64>::LENGTH);
+        let rows = particles.len();
+        let zero = Record::read(&mut || 0.0);
+        sums.resize(rows, zero);
+        let records = self
+            .records
+            .take((rows + self.sorted_images.len()) * stride);
+        let (own, shifted) = records.split_at_mut(rows * stride);
+        sweep::pack(term, particles, own);
+        shifted
+            .par_chunks_exact_mut(stride)
+            .with_min_len(1024)
+            .zip(&self.sorted_images)
+            .for_each(|(packed, image)| {
+                let source = image.source as usize;
+                packed.copy_from_slice(&own[source * stride..][..stride]);
+                for d in 0..D {
+                    packed[d] += image.shift[d];
+                }
+            });
+        with_kernel!(self.kernel, K => {
+            let kernel = ScaledKernel::new::<K>(self.smoothing_length, D);
+            sweep::run::<K, T, D>(self.level, term, kernel, &self.chunks, records, &active, sums);
+        });
+    }
+}

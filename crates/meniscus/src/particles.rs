@@ -1,0 +1,108 @@
+//! The state of a flow: one column per quantity, one row per particle.
+
+use crate::vector::Vector;
+
+/// Columns of all particles, SI. Rows are reordered as the flow moves;
+/// [`id`](Self::id) says which particle a row holds.
+#[derive(Clone, Debug, Default)]
+pub struct Particles<const D: usize> {
+    /// Position, m
+    pub position: Vec<Vector<f64, D>>,
+    /// Velocity, m/s
+    pub velocity: Vec<Vector<f64, D>>,
+    /// Acceleration, m/s^2
+    pub acceleration: Vec<Vector<f64, D>>,
+    /// Density, kg/m^3
+    pub density: Vec<f64>,
+    /// Pressure, Pa
+    pub pressure: Vec<f64>,
+    /// Mass, kg (kg/m in 2D)
+    pub mass: Vec<f64>,
+    /// Index of the fluid
+    pub fluid: Vec<u16>,
+    /// Index of the body that the particle started in
+    pub body: Vec<u16>,
+    /// Number that stays with the particle
+    pub id: Vec<u32>,
+}
+
+/// One particle at the start. SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Particle<const D: usize> {
+    /// Position, m
+    pub position: Vector<f64, D>,
+    /// Velocity, m/s
+    pub velocity: Vector<f64, D>,
+    /// Mass, kg (kg/m in 2D)
+    pub mass: f64,
+    /// Index of the fluid
+    pub fluid: u16,
+    /// Index of the body
+    pub body: u16,
+}
+
+impl<const D: usize> Particles<D> {
+    /// Particles at rest pressure; density is left for the caller to set.
+    pub fn new(start: &[Particle<D>]) -> Self {
+        Self {
+            position: start.iter().map(|p| p.position).collect(),
+            velocity: start.iter().map(|p| p.velocity).collect(),
+            acceleration: vec![Vector::ZERO; start.len()],
+            density: vec![0.0; start.len()],
+            pressure: vec![0.0; start.len()],
+            mass: start.iter().map(|p| p.mass).collect(),
+            fluid: start.iter().map(|p| p.fluid).collect(),
+            body: start.iter().map(|p| p.body).collect(),
+            id: (0..start.len() as u32).collect(),
+        }
+    }
+
+    /// Number of particles.
+    pub fn len(&self) -> usize {
+        self.position.len()
+    }
+
+    /// Whether there is no particle.
+    pub fn is_empty(&self) -> bool {
+        self.position.is_empty()
+    }
+
+    /// Volume m/rho of particle `i`, m^D.
+    #[inline(always)]
+    pub fn volume(&self, i: usize) -> f64 {
+        self.mass[i] / self.density[i]
+    }
+
+    /// Reorders the rows: row `k` becomes the former row `order[k]`.
+    pub(crate) fn permute(&mut self, order: &[u32], scratch: &mut Scratch<D>) {
+        for column in [
+            &mut self.position,
+            &mut self.velocity,
+            &mut self.acceleration,
+        ] {
+            gather(column, &mut scratch.vectors, order);
+        }
+        for column in [&mut self.density, &mut self.pressure, &mut self.mass] {
+            gather(column, &mut scratch.scalars, order);
+        }
+        for column in [&mut self.fluid, &mut self.body] {
+            gather(column, &mut scratch.indices, order);
+        }
+        gather(&mut self.id, &mut scratch.ids, order);
+    }
+}
+
+/// Spare columns that [`Particles::permute`] swaps with.
+#[derive(Debug, Default)]
+pub(crate) struct Scratch<const D: usize> {
+    vectors: Vec<Vector<f64, D>>,
+    scalars: Vec<f64>,
+    indices: Vec<u16>,
+    ids: Vec<u32>,
+}
+
+fn gather<T: Copy>(column: &mut Vec<T>, spare: &mut Vec<T>, order: &[u32]) {
+    spare.clear();
+    spare.extend(order.iter().map(|&k| column[k as usize]));
+    std::mem::swap(column, spare);
+}

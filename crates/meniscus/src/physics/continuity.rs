@@ -1,0 +1,42 @@
+//! The continuity equation:
+//!
+//! D rho_i / Dt = rho_i sum_j V_j (v_i - v_j) . grad W_ij,   V = m / rho
+//!
+//! Jancik and Hyhlik, eq. 2. Exact for a rigid motion, also at a free surface.
+
+use crate::particles::Particles;
+use crate::real::Real;
+use crate::record;
+use crate::term::{Pair, PairTerm};
+use crate::vector::Vector;
+
+record! {
+    /// A moving volume.
+    pub struct Moving<R, D> {
+        /// v, m/s
+        velocity: Vector<R, D>,
+        /// V, m^D
+        volume: R,
+    }
+}
+
+/// Sums to (1/rho) D rho / Dt, 1/s.
+#[derive(Clone, Copy, Debug)]
+pub struct Continuity;
+
+impl<const D: usize> PairTerm<D> for Continuity {
+    type Record<R: Real> = Moving<R, D>;
+    type Sum<R: Real> = R;
+
+    fn record(&self, particles: &Particles<D>, i: usize) -> Moving<f64, D> {
+        Moving {
+            velocity: particles.velocity[i],
+            volume: particles.volume(i),
+        }
+    }
+
+    #[inline(always)]
+    fn pair<R: Real>(&self, i: &Moving<R, D>, j: &Moving<R, D>, ij: &Pair<R, D>, sum: &mut R) {
+        *sum = *sum + (i.velocity - j.velocity).dot(&ij.grad_w) * j.volume;
+    }
+}

@@ -1,0 +1,16 @@
+//! One file per equation.
+//!
+//! - [`equation_of_state`]: pressure from density
+//! - [`continuity`]: rate of density; [`summation`]: density itself
+//! - [`momentum`]: pressure gradient and viscous force
+//! - [`viscosity`]: artificial and laminar
+//! - [`body_force`]: gravity and shaken frames
+//! - [`surface_tension`]: one file per model
+
+pub mod body_force;
+pub mod continuity;
+pub mod equation_of_state;
+pub mod momentum;
+pub mod summation;
+pub mod surface_tension;
+pub mod viscosity;

@@ -1,0 +1,200 @@
+//! The ordered sweeps of a scheme: rate of density, then acceleration.
+
+use rayon::prelude::*;
+
+use crate::fluid::Fluid;
+use crate::divergence::{self, Culprit};
+use crate::pairs::{Domain, Pairs};
+use crate::particles::Particles;
+use crate::physics::continuity::Continuity;
+use crate::physics::equation_of_state::Tait;
+use crate::physics::momentum::Momentum;
+use crate::physics::summation::Summation;
+use crate::physics::surface_tension::SurfaceTension;
+use crate::physics::surface_tension::jancik_hyhlik::Surface;
+use crate::scheme::{DensityForm, Scheme};
+use crate::term::{PairTerm, Sweep};
+use crate::vector::Vector;
+
+/// Rows that one task works on at least, where the work per row is small.
+pub(crate) const ROWS_PER_TASK: usize = 2048;
+
+/// A force of the user's own, added to the momentum equation.
+pub trait Force<const D: usize>: Send + Sync {
+    /// Adds its acceleration, m/s^2, to that of each particle.
+    fn accelerate(
+        &mut self,
+        pairs: &mut Pairs<D>,
+        particles: &Particles<D>,
+        acceleration: &mut [Vector<f64, D>],
+    );
+}
+
+/// A [`PairTerm`] that sums to an acceleration, as a [`Force`].
+pub(crate) struct PairForce<T, const D: usize> {
+    pub(crate) term: T,
+    pub(crate) sums: Vec<Vector<f64, D>>,
+}
+
+impl<T, const D: usize> Force<D> for PairForce<T, D>
+where
+    T: PairTerm<D, Sum<f64> = Vector<f64, D>> + Send,
+{
+    fn accelerate(
+        &mut self,
+        pairs: &mut Pairs<D>,
+        particles: &Particles<D>,
+        acceleration: &mut [Vector<f64, D>],
+    ) {
+        pairs.sweep(&self.term, particles, |_| true, &mut self.sums);
+        for (a, sum) in acceleration.iter_mut().zip(&self.sums) {
+            *a += *sum;
+        }
+    }
+}
+
+/// The right-hand sides of a scheme, with the columns they need on the way.
+pub(crate) struct Rates<const D: usize> {
+    pub(crate) scheme: Scheme,
+    pub(crate) fluids: Vec<Fluid>,
+    pub(crate) pairs: Pairs<D>,
+    pub(crate) surface: Surface<D>,
+    pub(crate) forces: Vec<Box<dyn Force<D>>>,
+    equations_of_state: Vec<Tait>,
+    scalars: Vec<f64>,
+}
+
+impl<const D: usize> Rates<D> {
+    pub(crate) fn new(scheme: Scheme, fluids: Vec<Fluid>, pairs: Pairs<D>) -> Self {
+        Self {
+            equations_of_state: fluids.iter().map(Tait::new).collect(),
+            scheme,
+            fluids,
+            pairs,
+            surface: Surface::default(),
+            forces: Vec::new(),
+            scalars: Vec::new(),
+        }
+    }
+
+    /// Density at the end of a step of `dt` seconds, from positions at its
+    /// end and velocities at its middle; then pressure.
+    pub(crate) fn advance_density(&mut self, particles: &mut Particles<D>, dt: f64) {
+        match self.scheme.density {
+            DensityForm::Continuity => {
+                self.pairs.sweep(&Continuity, particles, |_| true, &mut self.scalars);
+                (particles.density.par_iter_mut(), &self.scalars)
+                    .into_par_iter()
+                    .with_min_len(ROWS_PER_TASK)
+                    .for_each(|(density, rate)| *density += dt * *density * rate);
+            }
+            DensityForm::Summation => {
+                self.pairs.sweep(&Summation, particles, |_| true, &mut self.scalars);
+                particles.density.copy_from_slice(&self.scalars);
+            }
+        }
+        self.update_pressure(particles);
+    }
+
+    pub(crate) fn update_pressure(&self, particles: &mut Particles<D>) {
+        (particles.pressure.par_iter_mut(), &particles.density, &particles.fluid)
+            .into_par_iter()
+            .with_min_len(ROWS_PER_TASK)
+            .for_each(|(pressure, density, fluid)| {
+                *pressure = self.equations_of_state[*fluid as usize].pressure(*density);
+            });
+    }
+
+    /// Acceleration at `time` seconds.
+    pub(crate) fn accelerate(&mut self, particles: &mut Particles<D>, time: f64) {
+        let mut acceleration = std::mem::take(&mut particles.acceleration);
+        let term = momentum(&self.scheme, &self.fluids);
+        self.pairs.sweep(&term, particles, |_| true, &mut acceleration);
+        if let Some(SurfaceTension::JancikHyhlik(model)) = self.scheme.surface_tension {
+            model.accelerate(
+                &mut self.pairs,
+                particles,
+                self.scheme.smoothing_length,
+                |i| self.fluids[particles.fluid[i] as usize].surface_tension,
+                &mut self.surface,
+                &mut acceleration,
+            );
+        }
+        if let Some(force) = &self.scheme.body_force {
+            let uniform = Vector::from_3d(force.at(time));
+            acceleration.iter_mut().for_each(|a| *a += uniform);
+        }
+        for force in &mut self.forces {
+            force.accelerate(&mut self.pairs, particles, &mut acceleration);
+        }
+        particles.acceleration = acceleration;
+    }
+}
+
+impl<const D: usize> Rates<D> {
+    /// Part of the acceleration of row `i` that surface tension made, m/s^2.
+    pub(crate) fn surface_acceleration(&self, particles: &Particles<D>, i: usize) -> Vector<f64, D> {
+        match self.scheme.surface_tension {
+            Some(SurfaceTension::JancikHyhlik(_)) => {
+                let sigma = self.fluids[particles.fluid[i] as usize].surface_tension;
+                self.surface.force_density(i, sigma) * (1.0 / particles.density[i])
+            }
+            None => Vector::ZERO,
+        }
+    }
+}
+
+/// The terms of the momentum equation that `scheme` has for `fluids`.
+pub(crate) fn momentum<'a>(scheme: &Scheme, fluids: &'a [Fluid]) -> Momentum<'a> {
+    let viscous = fluids.iter().any(|fluid| fluid.viscosity != 0.0);
+    Momentum {
+        fluids,
+        pressure: Some(scheme.pressure),
+        artificial_viscosity: scheme.artificial_viscosity,
+        viscosity: viscous.then_some(scheme.viscosity),
+        smoothing_length: scheme.smoothing_length,
+    }
+}
+
+/// The dimensions that the library is compiled for: `Space` implements this
+/// for 2 and 3.
+///
+/// The sweeps are the bulk of the machine code. Reached through this trait
+/// they are compiled once, in this crate, and not again in every crate that
+/// mentions a simulation.
+pub trait Dimension<const D: usize> {
+    #[doc(hidden)]
+    fn table() -> Table<D>;
+}
+
+/// Implements [`Dimension`] for 2 and 3.
+#[derive(Clone, Copy, Debug)]
+pub struct Space;
+
+/// Entry points of the compiled sweeps.
+#[doc(hidden)]
+#[derive(Clone, Copy)]
+pub struct Table<const D: usize> {
+    pub(crate) advance_density: fn(&mut Rates<D>, &mut Particles<D>, f64),
+    pub(crate) accelerate: fn(&mut Rates<D>, &mut Particles<D>, f64),
+    pub(crate) rebuild: fn(&mut Pairs<D>, &mut Particles<D>),
+    pub(crate) diagnose: fn(&Rates<D>, &Particles<D>, &Domain<D>, usize) -> Culprit,
+}
+
+macro_rules! compile_for {
+    ($D:literal) => {
+        impl Dimension<$D> for Space {
+            fn table() -> Table<$D> {
+                Table {
+                    advance_density: Rates::<$D>::advance_density,
+                    accelerate: Rates::<$D>::accelerate,
+                    rebuild: Pairs::<$D>::rebuild,
+                    diagnose: divergence::diagnose::<$D>,
+                }
+            }
+        }
+    };
+}
+
+compile_for!(2);
+compile_for!(3);

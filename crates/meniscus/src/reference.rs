@@ -1,0 +1,70 @@
+//! Sums over all pairs, O(N^2): the slow truth that the engine is tested
+//! against, and that a term of your own can be tested against.
+
+use crate::kernel::{Kernel, with_kernel};
+use crate::pairs::Domain;
+use crate::particles::Particles;
+use crate::term::{PairTerm, Record, ScaledKernel};
+use crate::vector::Vector;
+
+/// `term` summed for particle `i` over all particles, itself and periodic images included.
+pub fn sum<T: PairTerm<D>, const D: usize>(
+    term: &T,
+    kernel: Kernel,
+    smoothing_length: f64,
+    domain: &Domain<D>,
+    particles: &Particles<D>,
+    i: usize,
+) -> T::Sum<f64> {
+    let support = kernel.support() * smoothing_length;
+    let own = term.record(particles, i);
+    let mut sum = T::Sum::<f64>::read(&mut || 0.0);
+    with_kernel!(kernel, K => {
+        let scaled = ScaledKernel::new::<K>(smoothing_length, D);
+        for j in 0..particles.len() {
+            let other = term.record(particles, j);
+            for_each_image(domain, particles.position[i] - particles.position[j], support, &mut |offset| {
+                let pair = scaled.pair::<K, f64, D>(offset);
+                term.pair(&own, &other, &pair, &mut sum);
+            });
+        }
+    });
+    sum
+}
+
+/// [`sum`] for every particle.
+pub fn sums<T: PairTerm<D>, const D: usize>(
+    term: &T,
+    kernel: Kernel,
+    smoothing_length: f64,
+    domain: &Domain<D>,
+    particles: &Particles<D>,
+) -> Vec<T::Sum<f64>> {
+    (0..particles.len())
+        .map(|i| sum(term, kernel, smoothing_length, domain, particles, i))
+        .collect()
+}
+
+fn for_each_image<const D: usize>(
+    domain: &Domain<D>,
+    offset: Vector<f64, D>,
+    support: f64,
+    visit: &mut impl FnMut(Vector<f64, D>),
+) {
+    let mut copies = [(0_i64, 0.0); D];
+    for d in 0..D {
+        if let Some((low, high)) = domain.periodic[d] {
+            copies[d] = ((support / (high - low)).ceil() as i64 + 1, high - low);
+        }
+    }
+    let combinations: i64 = copies.iter().map(|(n, _)| 2 * n + 1).product();
+    for combination in 0..combinations {
+        let mut rest = combination;
+        let mut shifted = offset;
+        for (d, (n, period)) in copies.iter().enumerate() {
+            shifted[d] += (rest % (2 * n + 1) - n) as f64 * period;
+            rest /= 2 * n + 1;
+        }
+        visit(shifted);
+    }
+}

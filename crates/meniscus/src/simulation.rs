@@ -1,0 +1,338 @@
+//! A simulation: particles, a scheme, and the march in time.
+
+use std::fmt;
+
+use rayon::prelude::*;
+
+use crate::divergence::{Diverged, Failure, check};
+use crate::fluid::Fluid;
+use crate::pairs::{Domain, Instructions, Pairs};
+use crate::particles::{Particle, Particles};
+use crate::physics::surface_tension::jancik_hyhlik::Surface;
+use crate::rates::{Dimension, Force, PairForce, ROWS_PER_TASK, Rates, Space, Table};
+use crate::scheme::{DensityForm, Scheme, TimeStep};
+use crate::snapshot::Snapshot;
+use crate::term::{PairTerm, Sweep};
+use crate::time::integrator::{kick, kick_drift};
+use crate::time::step::StepLimits;
+use crate::vector::Vector;
+
+/// How far lists reach beyond the kernel, in spacings.
+const SKIN: f64 = 0.4;
+
+/// An adaptive step shorter than this part of h / c counts as collapsed.
+const COLLAPSED: f64 = 1e-4;
+
+/// Everything that a simulation starts from.
+#[derive(Clone, Debug)]
+pub struct Setup<const D: usize> {
+    /// What is solved, and how.
+    pub scheme: Scheme,
+    /// Fluids; particles name them by index.
+    pub fluids: Vec<Fluid>,
+    /// Particles at t = 0.
+    pub particles: Vec<Particle<D>>,
+    /// Distance between neighbouring particles, m.
+    pub spacing: f64,
+    /// Periodic axes.
+    pub domain: Domain<D>,
+}
+
+/// Why a simulation can not start.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetupError(pub String);
+
+impl fmt::Display for SetupError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for SetupError {}
+
+/// A flow on its way.
+///
+/// Work is spread over the threads of the rayon pool that it is called from;
+/// the result is the same, bit by bit, for any number of them.
+pub struct Simulation<const D: usize> {
+    pub(crate) particles: Particles<D>,
+    pub(crate) rates: Rates<D>,
+    pub(crate) domain: Domain<D>,
+    pub(crate) spacing: f64,
+    pub(crate) time: f64,
+    pub(crate) steps: u64,
+    pub(crate) next_step: f64,
+    pub(crate) limits: StepLimits,
+    pub(crate) table: Table<D>,
+}
+
+impl<const D: usize> Simulation<D> {
+    /// A simulation at t = 0.
+    ///
+    /// # Errors
+    /// If a value is impossible: no fluid, a spacing or length that is not
+    /// positive, a particle of an unknown fluid, at no finite place, or
+    /// without mass.
+    pub fn new(setup: Setup<D>) -> Result<Self, SetupError>
+    where
+        Space: Dimension<D>,
+    {
+        let mut simulation = Self::assemble(setup)?;
+        (simulation.table.rebuild)(&mut simulation.rates.pairs, &mut simulation.particles);
+        if simulation.rates.scheme.density == DensityForm::Summation {
+            (simulation.table.advance_density)(&mut simulation.rates, &mut simulation.particles, 0.0);
+        }
+        simulation.rates.update_pressure(&mut simulation.particles);
+        (simulation.table.accelerate)(&mut simulation.rates, &mut simulation.particles, 0.0);
+        simulation.choose_step();
+        Ok(simulation)
+    }
+
+    /// All but lists, pressure and acceleration.
+    pub(crate) fn assemble(setup: Setup<D>) -> Result<Self, SetupError>
+    where
+        Space: Dimension<D>,
+    {
+        validate(&setup)?;
+        let Setup { scheme, fluids, particles, spacing, domain } = setup;
+        let mut particles = Particles::new(&particles);
+        for i in 0..particles.len() {
+            particles.density[i] = fluids[particles.fluid[i] as usize].density;
+        }
+        let pairs =
+            Pairs::new(scheme.kernel, scheme.smoothing_length, spacing, SKIN * spacing, domain);
+        let support = scheme.kernel.support() * scheme.smoothing_length;
+        let limits = StepLimits::new(&fluids, scheme.smoothing_length, support, 0.0, 0.0);
+        Ok(Self {
+            particles,
+            rates: Rates::new(scheme, fluids, pairs),
+            domain,
+            spacing,
+            time: 0.0,
+            steps: 0,
+            next_step: 0.0,
+            limits,
+            table: Space::table(),
+        })
+    }
+
+    /// Marches one time step.
+    ///
+    /// # Errors
+    /// If the flow blew up: which particle, which term, what to change. The
+    /// simulation must not be used further then.
+    pub fn step(&mut self) -> Result<(), Diverged> {
+        let dt = self.next_step;
+        let damping = self.rates.scheme.damping;
+        kick_drift(&mut self.particles, dt, damping);
+        if self.rates.pairs.is_stale(&self.particles) {
+            (self.table.rebuild)(&mut self.rates.pairs, &mut self.particles);
+        }
+        (self.table.advance_density)(&mut self.rates, &mut self.particles, dt);
+        self.time += dt;
+        (self.table.accelerate)(&mut self.rates, &mut self.particles, self.time);
+        kick(&mut self.particles, dt, damping);
+        self.steps += 1;
+        self.choose_step();
+        self.check()
+    }
+
+    /// Marches until `time` in s is reached or passed.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn advance_to(&mut self, time: f64) -> Result<(), Diverged> {
+        while self.time < time {
+            self.step()?;
+        }
+        Ok(())
+    }
+
+    fn choose_step(&mut self) {
+        let scheme = &self.rates.scheme;
+        let largest = |column: &Vec<Vector<f64, D>>| {
+            (column.par_iter().with_min_len(ROWS_PER_TASK))
+                .map(Vector::norm_squared)
+                .reduce(|| 0.0, f64::max)
+                .sqrt()
+        };
+        self.limits = StepLimits::new(
+            &self.rates.fluids,
+            scheme.smoothing_length,
+            scheme.kernel.support() * scheme.smoothing_length,
+            largest(&self.particles.velocity),
+            largest(&self.particles.acceleration),
+        );
+        self.next_step = match scheme.time_step {
+            TimeStep::Fixed(dt) => dt,
+            TimeStep::Adaptive { safety } => safety * self.limits.governing().1,
+        };
+    }
+
+    fn check(&self) -> Result<(), Diverged> {
+        let (particles, fluids) = (&self.particles, &self.rates.fluids);
+        let bad = (0..particles.len())
+            .into_par_iter()
+            .with_min_len(ROWS_PER_TASK)
+            .filter(|&i| check(particles, fluids, i).is_some())
+            .min();
+        if let Some(i) = bad {
+            let failure = check(particles, fluids, i).unwrap_or(Failure::NotFinite);
+            return Err(self.diverged(i, failure));
+        }
+        let fastest = fluids.iter().map(|f| f.sound_speed).fold(0.0, f64::max);
+        let acoustic = self.rates.scheme.smoothing_length / fastest;
+        if self.next_step < COLLAPSED * acoustic && self.rates.scheme.time_step.is_adaptive() {
+            let a = &self.particles.acceleration;
+            let i = (0..a.len())
+                .max_by(|&i, &j| a[i].norm_squared().total_cmp(&a[j].norm_squared()))
+                .unwrap_or(0);
+            return Err(self.diverged(i, Failure::StepCollapsed { step: self.next_step, acoustic }));
+        }
+        Ok(())
+    }
+
+    fn diverged(&self, i: usize, failure: Failure) -> Diverged {
+        Diverged {
+            step: self.steps,
+            time: self.time,
+            particle: self.particles.id[i],
+            position: self.particles.position[i].to_3d(),
+            failure,
+            culprit: (self.table.diagnose)(&self.rates, &self.particles, &self.domain, i),
+        }
+    }
+
+    /// Adds a force of your own to the momentum equation: a term that sums to
+    /// an acceleration, m/s^2.
+    pub fn add_force<T>(&mut self, term: T)
+    where
+        T: PairTerm<D, Sum<f64> = Vector<f64, D>> + Send + 'static,
+    {
+        self.rates.forces.push(Box::new(PairForce { term, sums: Vec::new() }));
+    }
+
+    /// Adds a force that is not a sum over pairs.
+    pub fn add_other_force(&mut self, force: Box<dyn Force<D>>) {
+        self.rates.forces.push(force);
+    }
+
+    /// Sums `term` over the neighbours of every particle, as things stand.
+    pub fn sum<T: PairTerm<D>>(&mut self, term: &T) -> Vec<T::Sum<f64>> {
+        let mut sums = Vec::new();
+        if self.rates.pairs.is_stale(&self.particles) {
+            (self.table.rebuild)(&mut self.rates.pairs, &mut self.particles);
+        }
+        self.rates.pairs.sweep(term, &self.particles, |_| true, &mut sums);
+        sums
+    }
+
+    /// State of the flow.
+    pub fn particles(&self) -> &Particles<D> {
+        &self.particles
+    }
+
+    /// What the surface-tension model found in the last step; empty columns without one.
+    pub fn surface(&self) -> &Surface<D> {
+        &self.rates.surface
+    }
+
+    /// Time, s.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Steps so far.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Length of the next step, s.
+    pub fn next_step(&self) -> f64 {
+        self.next_step
+    }
+
+    /// Limits on the next step.
+    pub fn limits(&self) -> StepLimits {
+        self.limits
+    }
+
+    /// Fluids by index.
+    pub fn fluids(&self) -> &[Fluid] {
+        &self.rates.fluids
+    }
+
+    /// The scheme.
+    pub fn scheme(&self) -> &Scheme {
+        &self.rates.scheme
+    }
+
+    /// Distance between neighbouring particles at the start, m.
+    pub fn spacing(&self) -> f64 {
+        self.spacing
+    }
+
+    /// Periodic axes.
+    pub fn domain(&self) -> &Domain<D> {
+        &self.domain
+    }
+
+    /// The pair engine, to look at its statistics.
+    pub fn pairs(&self) -> &Pairs<D> {
+        &self.rates.pairs
+    }
+
+    /// Restricts the instructions of the sweeps, to measure or test the other paths.
+    pub fn set_instructions(&mut self, instructions: Instructions) {
+        self.rates.pairs.set_instructions(instructions);
+    }
+
+    /// The whole state, to go on from later.
+    pub fn snapshot(&self) -> Snapshot {
+        Snapshot::of(self)
+    }
+}
+
+fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError> {
+    let complain = |what: String| Err(SetupError(what));
+    if setup.fluids.is_empty() {
+        return complain("there is no fluid".into());
+    }
+    let scheme = &setup.scheme;
+    let mut positive = vec![
+        ("spacing", setup.spacing),
+        ("smoothing length", scheme.smoothing_length),
+    ];
+    match scheme.time_step {
+        TimeStep::Fixed(dt) => positive.push(("time step", dt)),
+        TimeStep::Adaptive { safety } => positive.push(("safety factor of the time step", safety)),
+    }
+    for fluid in &setup.fluids {
+        positive.push(("density of a fluid", fluid.density));
+        positive.push(("sound speed of a fluid", fluid.sound_speed));
+        positive.push(("stiffness exponent of a fluid", fluid.stiffness_exponent));
+        if !(fluid.viscosity >= 0.0 && fluid.surface_tension >= 0.0) {
+            return complain(format!("viscosity and surface tension of {} must not be negative", fluid.name));
+        }
+    }
+    for (name, value) in positive {
+        if !(value > 0.0 && value.is_finite()) {
+            return complain(format!("{name} must be positive and finite, found {value}"));
+        }
+    }
+    for (low, high) in setup.domain.periodic.iter().flatten() {
+        if !(high - low > 0.0 && (high - low).is_finite()) {
+            return complain(format!("a periodic axis from {low} to {high} m has no length"));
+        }
+    }
+    for (i, particle) in setup.particles.iter().enumerate() {
+        let values = particle.position.norm_squared() + particle.velocity.norm_squared();
+        if particle.fluid as usize >= setup.fluids.len() {
+            return complain(format!("particle {i} is of fluid {}, of {}", particle.fluid, setup.fluids.len()));
+        }
+        if !(values.is_finite() && particle.mass > 0.0 && particle.mass.is_finite()) {
+            return complain(format!("particle {i} has a place, velocity or mass that is impossible: {particle:?}"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,105 @@
+//! The whole state of a simulation as plain data, from which it goes on bit
+//! by bit as if it had never stopped.
+
+use serde::{Deserialize, Serialize};
+
+use crate::rates::{Dimension, Space};
+use crate::simulation::{Setup, SetupError, Simulation};
+use crate::vector::Vector;
+
+/// State of a simulation. Vectors are stored component by component.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Snapshot {
+    /// Dimension, 2 or 3.
+    pub dimension: u8,
+    /// Time, s.
+    pub time: f64,
+    /// Steps so far.
+    pub steps: u64,
+    /// Length of the next step, s.
+    pub next_step: f64,
+    /// Positions, m.
+    pub position: Vec<f64>,
+    /// Positions when the neighbour lists were built, m: the order of summation depends on them.
+    pub reference: Vec<f64>,
+    /// Velocities, m/s.
+    pub velocity: Vec<f64>,
+    /// Accelerations, m/s^2.
+    pub acceleration: Vec<f64>,
+    /// Densities, kg/m^3.
+    pub density: Vec<f64>,
+    /// Number of the particle in each row.
+    pub id: Vec<u32>,
+}
+
+impl Snapshot {
+    pub(crate) fn of<const D: usize>(simulation: &Simulation<D>) -> Self {
+        let particles = &simulation.particles;
+        Self {
+            dimension: D as u8,
+            time: simulation.time,
+            steps: simulation.steps,
+            next_step: simulation.next_step,
+            position: flatten(&particles.position),
+            reference: flatten(simulation.rates.pairs.reference()),
+            velocity: flatten(&particles.velocity),
+            acceleration: flatten(&particles.acceleration),
+            density: particles.density.clone(),
+            id: particles.id.clone(),
+        }
+    }
+}
+
+impl<const D: usize> Simulation<D> {
+    /// Goes on from `snapshot`, which a simulation of the same `setup` made.
+    ///
+    /// # Errors
+    /// If the snapshot does not fit the setup.
+    pub fn restore(setup: Setup<D>, snapshot: &Snapshot) -> Result<Self, SetupError>
+    where
+        Space: Dimension<D>,
+    {
+        let mut simulation = Self::assemble(setup)?;
+        let particles = &mut simulation.particles;
+        let rows = particles.len();
+        let mut seen = vec![false; rows];
+        let is_permutation = snapshot.id.len() == rows
+            && snapshot.id.iter().all(|&id| {
+                (seen.get_mut(id as usize)).is_some_and(|seen| !std::mem::replace(seen, true))
+            });
+        let vectors = [&snapshot.position, &snapshot.reference, &snapshot.velocity, &snapshot.acceleration];
+        if snapshot.dimension as usize != D
+            || !is_permutation
+            || snapshot.density.len() != rows
+            || vectors.iter().any(|column| column.len() != rows * D)
+        {
+            return Err(SetupError(format!(
+                "the saved state is of {} particles in {} dimensions, the case of {rows} in {D}",
+                snapshot.id.len(),
+                snapshot.dimension
+            )));
+        }
+        particles.permute(&snapshot.id, &mut Default::default());
+        particles.position = unflatten(&snapshot.position);
+        particles.velocity = unflatten(&snapshot.velocity);
+        particles.acceleration = unflatten(&snapshot.acceleration);
+        particles.density.copy_from_slice(&snapshot.density);
+        if !simulation.rates.pairs.restore(&unflatten(&snapshot.reference)) {
+            return Err(SetupError("the saved state is not in the order that this version sorts in".into()));
+        }
+        simulation.rates.update_pressure(&mut simulation.particles);
+        simulation.time = snapshot.time;
+        simulation.steps = snapshot.steps;
+        simulation.next_step = snapshot.next_step;
+        Ok(simulation)
+    }
+}
+
+fn flatten<const D: usize>(vectors: &[Vector<f64, D>]) -> Vec<f64> {
+    vectors.iter().flat_map(|v| v.0).collect()
+}
+
+fn unflatten<const D: usize>(components: &[f64]) -> Vec<Vector<f64, D>> {
+    let (vectors, _) = components.as_chunks::<D>();
+    vectors.iter().map(|&v| Vector(v)).collect()
+}

@@ -1,0 +1,182 @@
+//! What physics hands to the pair engine: a formula for one pair.
+//!
+//! A [`PairTerm`] says what it reads from a particle (its record), what it
+//! adds up (its sum), and the formula of one pair, written over any
+//! [`Real`]. The engine decides whether that is one number or a lane of
+//! eight, which pairs are near, and on which thread.
+
+use crate::kernel::SmoothingKernel;
+use crate::particles::Particles;
+use crate::real::Real;
+use crate::vector::Vector;
+
+/// A fixed number of reals with names: what a pair reads or adds up.
+///
+/// Implemented for one real, for a [`Vector`], and by [`record!`](crate::record)
+/// for structs of those.
+pub trait Record<R: Real>: Copy + Send + Sync {
+    /// How many reals it holds.
+    const LENGTH: usize;
+    /// Builds it from its reals, asked for in order.
+    fn read(next: &mut impl FnMut() -> R) -> Self;
+    /// Hands out its reals, in the same order.
+    fn write(&self, put: &mut impl FnMut(R));
+}
+
+impl<R: Real> Record<R> for R {
+    const LENGTH: usize = 1;
+    #[inline(always)]
+    fn read(next: &mut impl FnMut() -> R) -> Self {
+        next()
+    }
+    #[inline(always)]
+    fn write(&self, put: &mut impl FnMut(R)) {
+        put(*self);
+    }
+}
+
+impl<R: Real, const D: usize> Record<R> for Vector<R, D> {
+    const LENGTH: usize = D;
+    #[inline(always)]
+    fn read(next: &mut impl FnMut() -> R) -> Self {
+        let mut components = [next(); D];
+        for component in components.iter_mut().skip(1) {
+            *component = next();
+        }
+        Vector(components)
+    }
+    #[inline(always)]
+    fn write(&self, put: &mut impl FnMut(R)) {
+        for d in 0..D {
+            put(self.0[d]);
+        }
+    }
+}
+
+/// Declares a struct of reals and vectors, generic over `R: Real` and the
+/// dimension `D`, that a [`PairTerm`](crate::PairTerm) can use as record or sum.
+///
+/// ```
+/// meniscus::record! {
+///     /// Velocity (m/s) and volume (m^D).
+///     pub struct Moving<R, D> {
+///         /// m/s
+///         velocity: meniscus::Vector<R, D>,
+///         /// m^D
+///         volume: R,
+///     }
+/// }
+/// ```
+#[macro_export]
+macro_rules! record {
+    ($(#[$doc:meta])* $vis:vis struct $Name:ident<$R:ident, $D:ident> {
+        $($(#[$field_doc:meta])* $field:ident: $Type:ty),+ $(,)?
+    }) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        $vis struct $Name<$R, const $D: usize> {
+            $($(#[$field_doc])* pub $field: $Type,)+
+        }
+        impl<$R: $crate::Real, const $D: usize> $crate::term::Record<$R> for $Name<$R, $D> {
+            const LENGTH: usize = 0 $(+ <$Type as $crate::term::Record<$R>>::LENGTH)+;
+            #[inline(always)]
+            fn read(next: &mut impl FnMut() -> $R) -> Self {
+                $(let $field = <$Type as $crate::term::Record<$R>>::read(next);)+
+                Self { $($field),+ }
+            }
+            #[inline(always)]
+            fn write(&self, put: &mut impl FnMut($R)) {
+                $($crate::term::Record::<$R>::write(&self.$field, put);)+
+            }
+        }
+    };
+}
+
+/// The geometry of one pair.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<R, const D: usize> {
+    /// x_i - x_j, m
+    pub offset: Vector<R, D>,
+    /// |x_i - x_j|^2, m^2
+    pub distance_squared: R,
+    /// W_ij, 1/m^D
+    pub w: R,
+    /// Gradient of W_ij with respect to x_i, 1/m^(D+1); zero for i = j
+    pub grad_w: Vector<R, D>,
+    /// (1/r) dW/dr, 1/m^(D+2): `grad_w` is `offset` times this
+    pub slope_over_distance: R,
+}
+
+/// A kernel with its smoothing length worked into factors.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ScaledKernel {
+    inverse_h: f64,
+    value_factor: f64,
+    slope_factor: f64,
+}
+
+impl ScaledKernel {
+    pub(crate) fn new<K: SmoothingKernel>(smoothing_length: f64, dimension: usize) -> Self {
+        let value_factor = K::normalisation(dimension) / smoothing_length.powi(dimension as i32);
+        Self {
+            inverse_h: 1.0 / smoothing_length,
+            value_factor,
+            slope_factor: value_factor / (smoothing_length * smoothing_length),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn pair<K: SmoothingKernel, R: Real, const D: usize>(
+        &self,
+        offset: Vector<R, D>,
+    ) -> Pair<R, D> {
+        let distance_squared = offset.norm_squared();
+        let q = distance_squared.sqrt() * self.inverse_h;
+        let slope_over_distance = K::slope_over_q(q) * self.slope_factor;
+        Pair {
+            offset,
+            distance_squared,
+            w: K::shape(q) * self.value_factor,
+            grad_w: offset * slope_over_distance,
+            slope_over_distance,
+        }
+    }
+}
+
+/// One term of an equation, as a sum over neighbours.
+///
+/// The sum runs over all particles within the kernel's support, the particle
+/// itself included. The formula must give zero, by its factor W or grad W,
+/// for a pair outside the support, and finite values for two particles at
+/// the same place.
+pub trait PairTerm<const D: usize>: Sync {
+    /// What the formula reads from either particle.
+    type Record<R: Real>: Record<R>;
+    /// What is added up over the neighbours.
+    type Sum<R: Real>: Record<R>;
+
+    /// The record of particle `i`.
+    fn record(&self, particles: &Particles<D>, i: usize) -> Self::Record<f64>;
+
+    /// Adds the pair (i, j) to the sum of particle i.
+    fn pair<R: Real>(
+        &self,
+        i: &Self::Record<R>,
+        j: &Self::Record<R>,
+        ij: &Pair<R, D>,
+        sum: &mut Self::Sum<R>,
+    );
+}
+
+/// Sums a term over the neighbours: the engine, or the O(N^2) reference.
+pub trait Sweep<const D: usize> {
+    /// Sums `term` for every particle of each range of rows that `active`
+    /// holds for, and zero for the others.
+    fn sweep<T: PairTerm<D>>(
+        &mut self,
+        term: &T,
+        particles: &Particles<D>,
+        active: impl Fn(std::ops::Range<usize>) -> bool + Sync,
+        sums: &mut Vec<T::Sum<f64>>,
+    );
+}

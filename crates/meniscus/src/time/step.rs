@@ -1,0 +1,95 @@
+//! Limits on the time step, with h the smoothing length, s the radius of the
+//! kernel's support, nu = mu / rho:
+//!
+//! - acoustic:  0.1 s / (c + |v|)
+//! - force:     0.25 sqrt(h / |a|)
+//! - viscous:   0.125 h^2 / nu
+//! - capillary: 0.25 sqrt(rho h^3 / (2 pi sigma))
+//!
+//! The last three as in Morris (2000), Int. J. Numer. Meth. Fluids 33, 333.
+//! The first is stated by the support, since kernels of different support
+//! differ in h at the same resolution: 0.3 h / c for a support of 3 h, 0.2 h / c
+//! for 2 h.
+
+use std::fmt;
+
+use crate::fluid::Fluid;
+
+/// The largest step that each effect allows, s; infinite where it is absent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepLimits {
+    /// Sound crossing a particle.
+    pub acoustic: f64,
+    /// The largest acceleration.
+    pub force: f64,
+    /// Diffusion of momentum.
+    pub viscous: f64,
+    /// The shortest capillary wave.
+    pub capillary: f64,
+}
+
+/// An effect that limits the step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// Sound.
+    Acoustic,
+    /// Acceleration.
+    Force,
+    /// Viscosity.
+    Viscous,
+    /// Surface tension.
+    Capillary,
+}
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Limit::Acoustic => "acoustic",
+            Limit::Force => "force",
+            Limit::Viscous => "viscous",
+            Limit::Capillary => "capillary",
+        })
+    }
+}
+
+impl StepLimits {
+    /// Limits for `fluids`, with the largest speed (m/s) and acceleration (m/s^2) of the flow.
+    pub fn new(
+        fluids: &[Fluid],
+        smoothing_length: f64,
+        support: f64,
+        largest_speed: f64,
+        largest_acceleration: f64,
+    ) -> Self {
+        let h = smoothing_length;
+        let least = |limit: &dyn Fn(&Fluid) -> f64| fluids.iter().map(limit).fold(f64::INFINITY, f64::min);
+        Self {
+            acoustic: least(&|fluid| 0.1 * support / (fluid.sound_speed + largest_speed)),
+            force: 0.25 * (h / largest_acceleration).sqrt(),
+            viscous: least(&|fluid| 0.125 * h * h * fluid.density / fluid.viscosity),
+            capillary: least(&|fluid| {
+                let period = std::f64::consts::TAU * fluid.surface_tension;
+                0.25 * (fluid.density * h.powi(3) / period).sqrt()
+            }),
+        }
+    }
+
+    /// Each limit by name.
+    pub fn all(&self) -> [(Limit, f64); 4] {
+        [
+            (Limit::Acoustic, self.acoustic),
+            (Limit::Force, self.force),
+            (Limit::Viscous, self.viscous),
+            (Limit::Capillary, self.capillary),
+        ]
+    }
+
+    /// The shortest, and which it is.
+    pub fn governing(&self) -> (Limit, f64) {
+        self.all()
+            .into_iter()
+            .fold((Limit::Acoustic, f64::INFINITY), |best, next| {
+                if next.1 < best.1 { next } else { best }
+            })
+    }
+}
