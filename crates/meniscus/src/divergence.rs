@@ -101,7 +101,9 @@ impl Diverged {
             "artificial viscosity" | "laminar viscosity" => {
                 advice.push("shorten the time step: the viscous limit is 0.125 h^2 rho / mu");
             }
-            "body force or own force" => advice.push("check the body force: it is the largest acceleration"),
+            "body force or own force" => {
+                advice.push("check the body force: it is the largest acceleration")
+            }
             _ => advice.push("raise sound_speed to at least ten times the fastest flow"),
         }
         advice.push("shorten the time step (time_step, or the safety factor of the adaptive step)");
@@ -111,7 +113,11 @@ impl Diverged {
 }
 
 /// Checks one row; `None` if all is well.
-pub(crate) fn check<const D: usize>(particles: &Particles<D>, fluids: &[Fluid], i: usize) -> Option<Failure> {
+pub(crate) fn check<const D: usize>(
+    particles: &Particles<D>,
+    fluids: &[Fluid],
+    i: usize,
+) -> Option<Failure> {
     let ratio = particles.density[i] / fluids[particles.fluid[i] as usize].density;
     let sum = particles.position[i].norm_squared()
         + particles.velocity[i].norm_squared()
@@ -133,16 +139,36 @@ pub(crate) fn diagnose<const D: usize>(
     i: usize,
 ) -> Culprit {
     let whole = momentum(&rates.scheme, &rates.fluids);
-    let none = Momentum { pressure: None, artificial_viscosity: 0.0, viscosity: None, ..whole };
+    let none = Momentum {
+        pressure: None,
+        artificial_viscosity: 0.0,
+        viscosity: None,
+        ..whole
+    };
     let (kernel, h) = (rates.scheme.kernel, rates.scheme.smoothing_length);
     let alone = |term: Momentum| reference::sum(&term, kernel, h, domain, particles, i);
     let parts = [
-        ("the pressure gradient", alone(Momentum { pressure: whole.pressure, ..none })),
+        (
+            "the pressure gradient",
+            alone(Momentum {
+                pressure: whole.pressure,
+                ..none
+            }),
+        ),
         (
             "artificial viscosity",
-            alone(Momentum { artificial_viscosity: whole.artificial_viscosity, ..none }),
+            alone(Momentum {
+                artificial_viscosity: whole.artificial_viscosity,
+                ..none
+            }),
         ),
-        ("laminar viscosity", alone(Momentum { viscosity: whole.viscosity, ..none })),
+        (
+            "laminar viscosity",
+            alone(Momentum {
+                viscosity: whole.viscosity,
+                ..none
+            }),
+        ),
         ("surface tension", rates.surface_acceleration(particles, i)),
     ];
     let mut rest = particles.acceleration[i];
@@ -151,12 +177,26 @@ pub(crate) fn diagnose<const D: usize>(
     }
     let rate: f64 = reference::sum(&Continuity, kernel, h, domain, particles, i);
     // A value that is not a number counts as the strongest.
-    let strength = |a: &Vector<f64, D>| if a.norm().is_finite() { a.norm() } else { f64::INFINITY };
+    let strength = |a: &Vector<f64, D>| {
+        if a.norm().is_finite() {
+            a.norm()
+        } else {
+            f64::INFINITY
+        }
+    };
     let (term, a) = parts
         .into_iter()
         .chain([("body force or own force", rest)])
         .fold(("none", Vector::ZERO), |best, part| {
-            if strength(&part.1) > strength(&best.1) { part } else { best }
+            if strength(&part.1) > strength(&best.1) {
+                part
+            } else {
+                best
+            }
         });
-    Culprit { term, acceleration: a.norm(), compression_rate: rate }
+    Culprit {
+        term,
+        acceleration: a.norm(),
+        compression_rate: rate,
+    }
 }

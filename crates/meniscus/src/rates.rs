@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use crate::fluid::Fluid;
 use crate::divergence::{self, Culprit};
+use crate::fluid::Fluid;
 use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::continuity::Continuity;
@@ -82,14 +82,16 @@ impl<const D: usize> Rates<D> {
     pub(crate) fn advance_density(&mut self, particles: &mut Particles<D>, dt: f64) {
         match self.scheme.density {
             DensityForm::Continuity => {
-                self.pairs.sweep(&Continuity, particles, |_| true, &mut self.scalars);
+                self.pairs
+                    .sweep(&Continuity, particles, |_| true, &mut self.scalars);
                 (particles.density.par_iter_mut(), &self.scalars)
                     .into_par_iter()
                     .with_min_len(ROWS_PER_TASK)
                     .for_each(|(density, rate)| *density += dt * *density * rate);
             }
             DensityForm::Summation => {
-                self.pairs.sweep(&Summation, particles, |_| true, &mut self.scalars);
+                self.pairs
+                    .sweep(&Summation, particles, |_| true, &mut self.scalars);
                 particles.density.copy_from_slice(&self.scalars);
             }
         }
@@ -97,7 +99,11 @@ impl<const D: usize> Rates<D> {
     }
 
     pub(crate) fn update_pressure(&self, particles: &mut Particles<D>) {
-        (particles.pressure.par_iter_mut(), &particles.density, &particles.fluid)
+        (
+            particles.pressure.par_iter_mut(),
+            &particles.density,
+            &particles.fluid,
+        )
             .into_par_iter()
             .with_min_len(ROWS_PER_TASK)
             .for_each(|(pressure, density, fluid)| {
@@ -109,7 +115,8 @@ impl<const D: usize> Rates<D> {
     pub(crate) fn accelerate(&mut self, particles: &mut Particles<D>, time: f64) {
         let mut acceleration = std::mem::take(&mut particles.acceleration);
         let term = momentum(&self.scheme, &self.fluids);
-        self.pairs.sweep(&term, particles, |_| true, &mut acceleration);
+        self.pairs
+            .sweep(&term, particles, |_| true, &mut acceleration);
         if let Some(SurfaceTension::JancikHyhlik(model)) = self.scheme.surface_tension {
             model.accelerate(
                 &mut self.pairs,
@@ -133,7 +140,11 @@ impl<const D: usize> Rates<D> {
 
 impl<const D: usize> Rates<D> {
     /// Part of the acceleration of row `i` that surface tension made, m/s^2.
-    pub(crate) fn surface_acceleration(&self, particles: &Particles<D>, i: usize) -> Vector<f64, D> {
+    pub(crate) fn surface_acceleration(
+        &self,
+        particles: &Particles<D>,
+        i: usize,
+    ) -> Vector<f64, D> {
         match self.scheme.surface_tension {
             Some(SurfaceTension::JancikHyhlik(_)) => {
                 let sigma = self.fluids[particles.fluid[i] as usize].surface_tension;

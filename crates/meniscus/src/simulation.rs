@@ -80,7 +80,11 @@ impl<const D: usize> Simulation<D> {
         let mut simulation = Self::assemble(setup)?;
         (simulation.table.rebuild)(&mut simulation.rates.pairs, &mut simulation.particles);
         if simulation.rates.scheme.density == DensityForm::Summation {
-            (simulation.table.advance_density)(&mut simulation.rates, &mut simulation.particles, 0.0);
+            (simulation.table.advance_density)(
+                &mut simulation.rates,
+                &mut simulation.particles,
+                0.0,
+            );
         }
         simulation.rates.update_pressure(&mut simulation.particles);
         (simulation.table.accelerate)(&mut simulation.rates, &mut simulation.particles, 0.0);
@@ -94,13 +98,24 @@ impl<const D: usize> Simulation<D> {
         Space: Dimension<D>,
     {
         validate(&setup)?;
-        let Setup { scheme, fluids, particles, spacing, domain } = setup;
+        let Setup {
+            scheme,
+            fluids,
+            particles,
+            spacing,
+            domain,
+        } = setup;
         let mut particles = Particles::new(&particles);
         for i in 0..particles.len() {
             particles.density[i] = fluids[particles.fluid[i] as usize].density;
         }
-        let pairs =
-            Pairs::new(scheme.kernel, scheme.smoothing_length, spacing, SKIN * spacing, domain);
+        let pairs = Pairs::new(
+            scheme.kernel,
+            scheme.smoothing_length,
+            spacing,
+            SKIN * spacing,
+            domain,
+        );
         let support = scheme.kernel.support() * scheme.smoothing_length;
         let limits = StepLimits::new(&fluids, scheme.smoothing_length, support, 0.0, 0.0);
         Ok(Self {
@@ -187,7 +202,13 @@ impl<const D: usize> Simulation<D> {
             let i = (0..a.len())
                 .max_by(|&i, &j| a[i].norm_squared().total_cmp(&a[j].norm_squared()))
                 .unwrap_or(0);
-            return Err(self.diverged(i, Failure::StepCollapsed { step: self.next_step, acoustic }));
+            return Err(self.diverged(
+                i,
+                Failure::StepCollapsed {
+                    step: self.next_step,
+                    acoustic,
+                },
+            ));
         }
         Ok(())
     }
@@ -209,7 +230,10 @@ impl<const D: usize> Simulation<D> {
     where
         T: PairTerm<D, Sum<f64> = Vector<f64, D>> + Send + 'static,
     {
-        self.rates.forces.push(Box::new(PairForce { term, sums: Vec::new() }));
+        self.rates.forces.push(Box::new(PairForce {
+            term,
+            sums: Vec::new(),
+        }));
     }
 
     /// Adds a force that is not a sum over pairs.
@@ -223,7 +247,9 @@ impl<const D: usize> Simulation<D> {
         if self.rates.pairs.is_stale(&self.particles) {
             (self.table.rebuild)(&mut self.rates.pairs, &mut self.particles);
         }
-        self.rates.pairs.sweep(term, &self.particles, |_| true, &mut sums);
+        self.rates
+            .pairs
+            .sweep(term, &self.particles, |_| true, &mut sums);
         sums
     }
 
@@ -312,7 +338,10 @@ fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError> {
         positive.push(("sound speed of a fluid", fluid.sound_speed));
         positive.push(("stiffness exponent of a fluid", fluid.stiffness_exponent));
         if !(fluid.viscosity >= 0.0 && fluid.surface_tension >= 0.0) {
-            return complain(format!("viscosity and surface tension of {} must not be negative", fluid.name));
+            return complain(format!(
+                "viscosity and surface tension of {} must not be negative",
+                fluid.name
+            ));
         }
     }
     for (name, value) in positive {
@@ -322,16 +351,24 @@ fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError> {
     }
     for (low, high) in setup.domain.periodic.iter().flatten() {
         if !(high - low > 0.0 && (high - low).is_finite()) {
-            return complain(format!("a periodic axis from {low} to {high} m has no length"));
+            return complain(format!(
+                "a periodic axis from {low} to {high} m has no length"
+            ));
         }
     }
     for (i, particle) in setup.particles.iter().enumerate() {
         let values = particle.position.norm_squared() + particle.velocity.norm_squared();
         if particle.fluid as usize >= setup.fluids.len() {
-            return complain(format!("particle {i} is of fluid {}, of {}", particle.fluid, setup.fluids.len()));
+            return complain(format!(
+                "particle {i} is of fluid {}, of {}",
+                particle.fluid,
+                setup.fluids.len()
+            ));
         }
         if !(values.is_finite() && particle.mass > 0.0 && particle.mass.is_finite()) {
-            return complain(format!("particle {i} has a place, velocity or mass that is impossible: {particle:?}"));
+            return complain(format!(
+                "particle {i} has a place, velocity or mass that is impossible: {particle:?}"
+            ));
         }
     }
     Ok(())

@@ -67,7 +67,12 @@ impl<const D: usize> Simulation<D> {
             && snapshot.id.iter().all(|&id| {
                 (seen.get_mut(id as usize)).is_some_and(|seen| !std::mem::replace(seen, true))
             });
-        let vectors = [&snapshot.position, &snapshot.reference, &snapshot.velocity, &snapshot.acceleration];
+        let vectors = [
+            &snapshot.position,
+            &snapshot.reference,
+            &snapshot.velocity,
+            &snapshot.acceleration,
+        ];
         if snapshot.dimension as usize != D
             || !is_permutation
             || snapshot.density.len() != rows
@@ -84,8 +89,14 @@ impl<const D: usize> Simulation<D> {
         particles.velocity = unflatten(&snapshot.velocity);
         particles.acceleration = unflatten(&snapshot.acceleration);
         particles.density.copy_from_slice(&snapshot.density);
-        if !simulation.rates.pairs.restore(&unflatten(&snapshot.reference)) {
-            return Err(SetupError("the saved state is not in the order that this version sorts in".into()));
+        if !simulation
+            .rates
+            .pairs
+            .restore(&unflatten(&snapshot.reference))
+        {
+            return Err(SetupError(
+                "the saved state is not in the order that this version sorts in".into(),
+            ));
         }
         simulation.rates.update_pressure(&mut simulation.particles);
         simulation.time = snapshot.time;

@@ -62,7 +62,8 @@ impl StepLimits {
         largest_acceleration: f64,
     ) -> Self {
         let h = smoothing_length;
-        let least = |limit: &dyn Fn(&Fluid) -> f64| fluids.iter().map(limit).fold(f64::INFINITY, f64::min);
+        let least =
+            |limit: &dyn Fn(&Fluid) -> f64| fluids.iter().map(limit).fold(f64::INFINITY, f64::min);
         Self {
             acoustic: least(&|fluid| 0.1 * support / (fluid.sound_speed + largest_speed)),
             force: 0.25 * (h / largest_acceleration).sqrt(),

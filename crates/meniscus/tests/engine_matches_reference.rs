@@ -1,0 +1,229 @@
+//! The engine against the O(N^2) reference, on random clouds.
+//!
+//! Both run the same formulas; only the order of the sums differs. The sums
+//! must agree to rounding: 1e-11 of the sum of the magnitudes of its parts,
+//! bounded here by the largest sum in the cloud.
+
+use meniscus::fluid::Fluid;
+use meniscus::pairs::{Instructions, Pairs};
+use meniscus::physics::continuity::Continuity;
+use meniscus::physics::momentum::{Momentum, PressureForm};
+use meniscus::physics::surface_tension::jancik_hyhlik::{Colour, Curvature, Normal};
+use meniscus::physics::viscosity::ViscosityForm;
+use meniscus::term::{Record, Sweep};
+use meniscus::{Domain, Kernel, PairTerm, Particle, Particles, Vector, reference};
+use proptest::prelude::*;
+
+const SPACING: f64 = 1.0;
+
+/// How a cloud is made; all lengths in spacings.
+#[derive(Clone, Debug)]
+struct Cloud {
+    points: Vec<[f64; 3]>,
+    periodic: [bool; 3],
+    size: f64,
+    kernel: Kernel,
+    smoothing_length: f64,
+    instructions: Instructions,
+    /// Motion after the lists were built, as a part of what the skin allows.
+    moved: f64,
+}
+
+fn cloud() -> impl Strategy<Value = Cloud> {
+    let point = || [0.0..1.0f64, 0.0..1.0, 0.0..1.0];
+    let scattered = prop::collection::vec(point(), 0..120);
+    let lattice = (1usize..6, 0.0..0.3f64, prop::collection::vec(point(), 216)).prop_map(
+        |(n, jitter, random)| {
+            (0..n * n * n)
+                .map(|k| {
+                    let cell = [k % n, k / n % n, k / n / n];
+                    std::array::from_fn(|d| {
+                        ((cell[d] as f64 + 0.5 + jitter * (random[k][d] - 0.5)) / n as f64)
+                            .clamp(0.0, 0.999)
+                    })
+                })
+                .collect::<Vec<_>>()
+        },
+    );
+    let clusters = (
+        prop::collection::vec((point(), 1usize..30), 0..5),
+        prop::collection::vec(point(), 30),
+    )
+        .prop_map(|(centres, random)| {
+            centres
+                .iter()
+                .flat_map(|(centre, n)| {
+                    random[..*n].iter().map(|r| {
+                        std::array::from_fn(|d| (centre[d] + 0.08 * (r[d] - 0.5)).clamp(0.0, 0.999))
+                    })
+                })
+                .collect::<Vec<_>>()
+        });
+    (
+        prop_oneof![scattered, lattice, clusters],
+        any::<[bool; 3]>(),
+        2.0..14.0f64,
+        prop::sample::select(Kernel::ALL.to_vec()),
+        1.0..2.0f64,
+        prop::sample::select(vec![
+            Instructions::Best,
+            Instructions::Avx2,
+            Instructions::Portable,
+        ]),
+        0.0..0.99f64,
+    )
+        .prop_map(
+            |(points, periodic, size, kernel, smoothing_length, instructions, moved)| Cloud {
+                points,
+                periodic,
+                size,
+                kernel,
+                smoothing_length,
+                instructions,
+                moved,
+            },
+        )
+}
+
+fn particles<const D: usize>(cloud: &Cloud) -> Particles<D> {
+    let start: Vec<_> = (cloud.points.iter().enumerate())
+        .map(|(k, point)| Particle {
+            position: Vector(std::array::from_fn(|d| point[d] * cloud.size)),
+            velocity: Vector(std::array::from_fn(|d| ((k * 7 + d * 3) as f64).sin())),
+            mass: 1.0 + 0.3 * (k as f64).cos(),
+            fluid: (k % 2) as u16,
+            body: 0,
+        })
+        .collect();
+    let mut particles = Particles::new(&start);
+    for k in 0..particles.len() {
+        particles.density[k] = 1.0 + 0.2 * (3.0 * k as f64).sin();
+        particles.pressure[k] = (5.0 * k as f64).cos();
+    }
+    particles
+}
+
+fn compare<T: PairTerm<D>, const D: usize>(
+    name: &str,
+    term: &T,
+    cloud: &Cloud,
+    domain: &Domain<D>,
+    pairs: &mut Pairs<D>,
+    particles: &Particles<D>,
+) -> Result<(), TestCaseError> {
+    let mut fast = Vec::new();
+    pairs.sweep(term, particles, |_| true, &mut fast);
+    let slow = reference::sums(
+        term,
+        cloud.kernel,
+        cloud.smoothing_length,
+        domain,
+        particles,
+    );
+    prop_assert_eq!(fast.len(), slow.len());
+    let reals = |sum: &T::Sum<f64>| {
+        let mut out = Vec::new();
+        sum.write(&mut |value| out.push(value));
+        out
+    };
+    let scale = slow
+        .iter()
+        .flat_map(reals)
+        .fold(1.0, |a: f64, b| a.max(b.abs()));
+    for (i, (fast, slow)) in fast.iter().zip(&slow).enumerate() {
+        for (fast, slow) in reals(fast).iter().zip(reals(slow)) {
+            prop_assert!(
+                (fast - slow).abs() <= 1e-11 * scale,
+                "{name}, particle {i} of {}: engine {fast:e}, reference {slow:e}",
+                particles.len()
+            );
+        }
+    }
+    Ok(())
+}
+
+fn fluid(density: f64) -> Fluid {
+    Fluid {
+        name: "fluid".into(),
+        density,
+        sound_speed: 3.0 * density,
+        stiffness_exponent: 7.0,
+        background_pressure: 0.0,
+        viscosity: 0.1 * density,
+        surface_tension: 1.0,
+    }
+}
+
+fn check<const D: usize>(cloud: &Cloud) -> Result<(), TestCaseError> {
+    let skin = 0.3 * SPACING;
+    let domain = Domain {
+        periodic: std::array::from_fn(|d| cloud.periodic[d].then_some((0.0, cloud.size))),
+    };
+    let mut particles = particles::<D>(cloud);
+    let mut pairs = Pairs::new(cloud.kernel, cloud.smoothing_length, SPACING, skin, domain);
+    pairs.set_instructions(cloud.instructions);
+    pairs.rebuild(&mut particles);
+    prop_assert!(!pairs.is_stale(&particles));
+    for k in 0..particles.len() {
+        let angle = k as f64;
+        let step = 0.5 * skin * cloud.moved;
+        particles.position[k][0] += step * angle.cos();
+        particles.position[k][1] += step * angle.sin();
+    }
+    prop_assert!(!pairs.is_stale(&particles));
+
+    let fluids = [fluid(1.0), fluid(0.5)];
+    let colour: Vec<f64> = (0..particles.len()).map(|k| (k as f64).sin()).collect();
+    let normal: Vec<Vector<f64, D>> = (0..particles.len())
+        .map(|k| Vector(std::array::from_fn(|d| ((k + d) as f64).sin() - 0.5)))
+        .collect();
+    let p = &particles;
+    compare("continuity", &Continuity, cloud, &domain, &mut pairs, p)?;
+    compare("colour", &Colour, cloud, &domain, &mut pairs, p)?;
+    compare(
+        "normal",
+        &Normal { colour: &colour },
+        cloud,
+        &domain,
+        &mut pairs,
+        p,
+    )?;
+    let curvature = Curvature {
+        normal: &normal,
+        shortest: 0.5,
+    };
+    compare("curvature", &curvature, cloud, &domain, &mut pairs, p)?;
+    let forms = [
+        (PressureForm::OverDensitySquared, ViscosityForm::Morris),
+        (
+            PressureForm::OverDensityProduct,
+            ViscosityForm::MonaghanCleary,
+        ),
+        (PressureForm::HuAdams, ViscosityForm::Morris),
+    ];
+    for (pressure, viscosity) in forms {
+        let momentum = Momentum {
+            fluids: &fluids,
+            pressure: Some(pressure),
+            artificial_viscosity: 0.1,
+            viscosity: Some(viscosity),
+            smoothing_length: cloud.smoothing_length,
+        };
+        compare("momentum", &momentum, cloud, &domain, &mut pairs, p)?;
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn engine_matches_reference_in_2d(cloud in cloud()) {
+        check::<2>(&cloud)?;
+    }
+
+    #[test]
+    fn engine_matches_reference_in_3d(cloud in cloud()) {
+        check::<3>(&cloud)?;
+    }
+}
