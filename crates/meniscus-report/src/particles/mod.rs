@@ -1,0 +1,176 @@
+//! Pictures of the particles at chosen times.
+//!
+//! Each particle is a disc of its true size, coloured by what it carries; all
+//! panels share one extent and one colour scale. [`view`] says from where the
+//! particles are seen, [`panels`] how the panels are laid out, [`legend`]
+//! draws the scale bar and the colour bar.
+
+mod legend;
+mod panels;
+mod view;
+
+pub use view::{Direction, View};
+
+use crate::colour::{Colour, viridis};
+use crate::figure::Figure;
+use crate::number::{exponent, fixed, scaled_unit};
+use crate::scene::{Anchor, Disc, Mark, Scene};
+use panels::Panels;
+use view::Seen;
+
+const TITLE_SIZE: f64 = 13.0;
+/// Height of the line above a panel that tells its time.
+const TITLE: f64 = 22.0;
+/// Width of the rim that parts discs behind one another, in radii.
+const RIM: f64 = 0.16;
+
+/// The particles at one time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Snapshot {
+    /// Time, s.
+    pub time: f64,
+    /// Positions, m; in two dimensions the third component is zero.
+    pub positions: Vec<[f64; 3]>,
+    /// Diameter of the discs, m: the spacing of the particles.
+    pub diameter: f64,
+    /// What colours each particle; grey where it is missing or not finite.
+    pub values: Vec<f64>,
+}
+
+/// Pictures of the particles at several times, coloured alike.
+#[derive(Clone, Debug)]
+pub struct ParticlePictures {
+    quantity: String,
+    unit: String,
+    view: View,
+    limits: Option<[f64; 2]>,
+    snapshots: Vec<Snapshot>,
+}
+
+impl ParticlePictures {
+    /// Pictures coloured by a quantity given in its plain unit.
+    pub fn new(quantity: &str, unit: &str) -> Self {
+        ParticlePictures {
+            quantity: quantity.to_owned(),
+            unit: unit.to_owned(),
+            view: View::Whole(Direction::Z),
+            limits: None,
+            snapshots: Vec::new(),
+        }
+    }
+
+    /// The same seen otherwise than along z.
+    pub fn view(self, view: View) -> Self {
+        ParticlePictures { view, ..self }
+    }
+
+    /// The same with a colour scale from `low` to `high`. Without, it holds
+    /// 99 of 100 values; arrows at its ends tell of values beyond.
+    pub fn limits(self, low: f64, high: f64) -> Self {
+        ParticlePictures {
+            limits: Some([low, high]),
+            ..self
+        }
+    }
+
+    /// The same with one more panel.
+    pub fn with(mut self, snapshot: Snapshot) -> Self {
+        self.snapshots.push(snapshot);
+        self
+    }
+
+    /// The finished figure.
+    pub fn figure(&self, name: &str, caption: &str) -> Figure {
+        let seen: Vec<Vec<Seen>> = self.snapshots.iter().map(|s| self.view.see(s)).collect();
+        let all = || seen.iter().flatten();
+        let colours = ColourScale::new(self.limits, all().map(|p| p.value));
+        let panels = Panels::new(&seen);
+        // In two dimensions no disc hides another: no rim needed.
+        let depths = all().map(|p| p.depth);
+        let (near, far) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), d| {
+            (a.min(d), b.max(d))
+        });
+        let edge = if far > near { RIM } else { 0.0 };
+
+        let mut marks = Vec::new();
+        for (i, (particles, time)) in seen.iter().zip(self.times()).enumerate() {
+            let window = panels.window(i);
+            let at = [
+                window.left + 0.5 * window.width,
+                window.top - TITLE + 1.1 * TITLE_SIZE,
+            ];
+            marks.push(Mark::text(at, Anchor::Middle, TITLE_SIZE, time));
+            let disc = |particle: &Seen| Disc {
+                centre: panels.place(i, particle.at),
+                radius: particle.radius * panels.scale,
+                fill: colours.colour(particle.value),
+            };
+            marks.push(Mark::Discs {
+                discs: particles.iter().map(disc).collect(),
+                edge,
+            });
+        }
+        let bottom = panels.bottom();
+        legend::scale_bar(&mut marks, &panels, bottom);
+        let title = (self.quantity.as_str(), self.unit.as_str());
+        legend::colour_bar(&mut marks, &colours, title, panels.width, bottom);
+        let scene = Scene {
+            width: panels.width,
+            height: bottom + legend::HEIGHT,
+            marks,
+        };
+        Figure::new(name, caption, scene)
+    }
+
+    /// The times as titles, in one unit and with the digits that tell them apart.
+    fn times(&self) -> Vec<String> {
+        let times: Vec<f64> = self.snapshots.iter().map(|s| s.time).collect();
+        let latest = times.iter().fold(0.0, |a: f64, t| a.max(t.abs()));
+        let unit = scaled_unit("s", latest);
+        let gaps = times.windows(2).map(|t| (t[1] - t[0]).abs());
+        let gap = gaps.filter(|&g| g > 0.0).fold(latest, f64::min) / unit.factor;
+        let places = if gap > 0.0 { 1 - exponent(gap) } else { 0 };
+        let decimals = usize::try_from(places.clamp(0, 6)).unwrap_or(0);
+        let title = |t: &f64| format!("t = {} {}", fixed(t / unit.factor, decimals), unit.unit);
+        times.iter().map(title).collect()
+    }
+}
+
+/// From values to colours.
+struct ColourScale {
+    low: f64,
+    high: f64,
+    /// Whether values lie below and above.
+    beyond: [bool; 2],
+}
+
+impl ColourScale {
+    fn new(limits: Option<[f64; 2]>, values: impl Iterator<Item = f64>) -> Self {
+        let mut values: Vec<f64> = values.filter(|v| v.is_finite()).collect();
+        values.sort_by(f64::total_cmp);
+        let quantile = |share: f64| {
+            let i = (share * values.len().saturating_sub(1) as f64).round() as usize;
+            values.get(i).copied().unwrap_or(0.0)
+        };
+        let given = limits.filter(|[low, high]| low < high && (high - low).is_finite());
+        let [mut low, mut high] = given.unwrap_or([quantile(0.005), quantile(0.995)]);
+        if low == high {
+            // One value everywhere: put it in the middle.
+            let room = if low == 0.0 { 1.0 } else { 0.05 * low.abs() };
+            (low, high) = (low - room, high + room);
+        }
+        ColourScale {
+            low,
+            high,
+            beyond: [quantile(0.0) < low, quantile(1.0) > high],
+        }
+    }
+
+    fn colour(&self, value: f64) -> Colour {
+        if value.is_finite() {
+            viridis((value - self.low) / (self.high - self.low))
+        } else {
+            Colour::NO_VALUE
+        }
+    }
+}
