@@ -1,0 +1,37 @@
+//! What an experimenter would measure.
+//!
+//! Functions of plain columns: positions in m, masses in kg, densities in
+//! kg/m^3, pressures in Pa, one entry per particle. Where columns differ in
+//! length, the shortest counts. In two dimensions everything is per metre of
+//! the third: a mass is in kg/m, an energy in J/m, a volume in m^2. Nothing
+//! here knows of periodic boundaries: positions are those of one whole body.
+//!
+//! - totals over all particles: [`centre_of_mass`], [`linear_momentum`], [`kinetic_energy`], ...
+//! - the body's shape: [`PrincipalAxes`], [`semi_axes_by_tips`], [`surface_energy`]
+//! - virtual pressure sensors: [`Sensor`]
+//! - pressure against radius, and what surface tension it shows: [`radial_profile`],
+//!   [`StaticSurfaceTension`]
+//! - a fitted oscillation and what surface tension it shows: [`DampedCosine`],
+//!   [`OscillationSurfaceTension`]
+
+mod compression_energy;
+mod damped_cosine;
+mod estimate;
+mod oscillation;
+mod radial;
+mod semi_axes;
+mod sensor;
+mod totals;
+
+pub use compression_energy::{compression_energy, specific_compression_energy};
+pub use damped_cosine::{DampedCosine, FitError};
+pub use estimate::Estimate;
+pub use oscillation::OscillationSurfaceTension;
+pub use radial::{RadialBin, StaticSurfaceTension, radial_profile};
+pub use semi_axes::{
+    PrincipalAxes, semi_axes_along_coordinates, semi_axes_by_tips, surface_energy,
+};
+pub use sensor::{Reading, Sensor};
+pub use totals::{
+    angular_momentum, centre_of_mass, kinetic_energy, linear_momentum, maximum_speed, range,
+};
