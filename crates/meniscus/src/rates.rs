@@ -195,6 +195,8 @@ pub struct Table<const D: usize> {
 macro_rules! compile_for {
     ($D:literal) => {
         impl Dimension<$D> for Space {
+            // Inlined, it would be compiled, and all it points to, in every crate anew.
+            #[inline(never)]
             fn table() -> Table<$D> {
                 Table {
                     advance_density: Rates::<$D>::advance_density,

@@ -1,7 +1,7 @@
 //! Sums over all pairs, O(N^2): the slow truth that the engine is tested
 //! against, and that a term of your own can be tested against.
 
-use crate::kernel::{Kernel, with_kernel};
+use crate::kernel::Kernel;
 use crate::pairs::Domain;
 use crate::particles::Particles;
 use crate::term::{PairTerm, Record, ScaledKernel};
@@ -19,16 +19,15 @@ pub fn sum<T: PairTerm<D>, const D: usize>(
     let support = kernel.support() * smoothing_length;
     let own = term.record(particles, i);
     let mut sum = T::Sum::<f64>::read(&mut || 0.0);
-    with_kernel!(kernel, K => {
-        let scaled = ScaledKernel::new::<K>(smoothing_length, D);
-        for j in 0..particles.len() {
-            let other = term.record(particles, j);
-            for_each_image(domain, particles.position[i] - particles.position[j], support, &mut |offset| {
-                let pair = scaled.pair::<K, f64, D>(offset);
-                term.pair(&own, &other, &pair, &mut sum);
-            });
-        }
-    });
+    let scaled = ScaledKernel::new(kernel, smoothing_length, D);
+    for j in 0..particles.len() {
+        let other = term.record(particles, j);
+        let offset = particles.position[i] - particles.position[j];
+        for_each_image(domain, offset, support, &mut |offset| {
+            let pair = scaled.pair::<f64, D>(offset);
+            term.pair(&own, &other, &pair, &mut sum);
+        });
+    }
     sum
 }
 

@@ -5,7 +5,7 @@
 //! [`Real`]. The engine decides whether that is one number or a lane of
 //! eight, which pairs are near, and on which thread.
 
-use crate::kernel::SmoothingKernel;
+use crate::kernel::{Kernel, SmoothingKernel, with_kernel};
 use crate::particles::Particles;
 use crate::real::Real;
 use crate::vector::Vector;
@@ -107,36 +107,87 @@ pub struct Pair<R, const D: usize> {
     pub slope_over_distance: R,
 }
 
+/// The shape of a kernel, compiled in ([`Compiled`]) or chosen at run time
+/// ([`Kernel`]: one well-predicted branch a pair, and a sixth of the code).
+pub(crate) trait Shape: Copy + Send + Sync {
+    fn shape<R: Real>(self, q: R) -> R;
+    fn slope_over_q<R: Real>(self, q: R) -> R;
+}
+
+/// A kernel known to the compiler.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Compiled<K>(pub(crate) K);
+
+impl<K: SmoothingKernel> Shape for Compiled<K> {
+    #[inline(always)]
+    fn shape<R: Real>(self, q: R) -> R {
+        K::shape(q)
+    }
+    #[inline(always)]
+    fn slope_over_q<R: Real>(self, q: R) -> R {
+        K::slope_over_q(q)
+    }
+}
+
+impl Shape for Kernel {
+    #[inline(always)]
+    fn shape<R: Real>(self, q: R) -> R {
+        with_kernel!(self, K => K::shape(q))
+    }
+    #[inline(always)]
+    fn slope_over_q<R: Real>(self, q: R) -> R {
+        with_kernel!(self, K => K::slope_over_q(q))
+    }
+}
+
 /// A kernel with its smoothing length worked into factors.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ScaledKernel {
+pub(crate) struct ScaledKernel<Q> {
+    shape: Q,
     inverse_h: f64,
     value_factor: f64,
     slope_factor: f64,
 }
 
-impl ScaledKernel {
-    pub(crate) fn new<K: SmoothingKernel>(smoothing_length: f64, dimension: usize) -> Self {
-        let value_factor = K::normalisation(dimension) / smoothing_length.powi(dimension as i32);
+impl ScaledKernel<Kernel> {
+    pub(crate) fn new(kernel: Kernel, smoothing_length: f64, dimension: usize) -> Self {
+        let value_factor =
+            kernel.normalisation(dimension) / smoothing_length.powi(dimension as i32);
         Self {
+            shape: kernel,
             inverse_h: 1.0 / smoothing_length,
             value_factor,
             slope_factor: value_factor / (smoothing_length * smoothing_length),
         }
     }
 
+    /// The same with its shape compiled in, which must be that of the kernel.
+    pub(crate) fn compiled<K: SmoothingKernel>(self, shape: K) -> ScaledKernel<Compiled<K>> {
+        let Self {
+            inverse_h,
+            value_factor,
+            slope_factor,
+            ..
+        } = self;
+        ScaledKernel {
+            shape: Compiled(shape),
+            inverse_h,
+            value_factor,
+            slope_factor,
+        }
+    }
+}
+
+impl<Q: Shape> ScaledKernel<Q> {
     #[inline(always)]
-    pub(crate) fn pair<K: SmoothingKernel, R: Real, const D: usize>(
-        &self,
-        offset: Vector<R, D>,
-    ) -> Pair<R, D> {
+    pub(crate) fn pair<R: Real, const D: usize>(&self, offset: Vector<R, D>) -> Pair<R, D> {
         let distance_squared = offset.norm_squared();
         let q = distance_squared.sqrt() * self.inverse_h;
-        let slope_over_distance = K::slope_over_q(q) * self.slope_factor;
+        let slope_over_distance = self.shape.slope_over_q(q) * self.slope_factor;
         Pair {
             offset,
             distance_squared,
-            w: K::shape(q) * self.value_factor,
+            w: self.shape.shape(q) * self.value_factor,
             grad_w: offset * slope_over_distance,
             slope_over_distance,
         }

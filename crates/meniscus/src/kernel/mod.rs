@@ -111,6 +111,11 @@ impl Kernel {
         with_kernel!(self, K => K::SUPPORT)
     }
 
+    /// The constant C_D that makes the integral over 2 or 3 dimensions one.
+    pub fn normalisation(self, dimension: usize) -> f64 {
+        with_kernel!(self, K => K::normalisation(dimension))
+    }
+
     /// W(r, h) in 1/m^D for a distance `r` and smoothing length `h` in metres.
     pub fn value(self, r: f64, h: f64, dimension: usize) -> f64 {
         with_kernel!(self, K => K::normalisation(dimension) / h.powi(dimension as i32) * K::shape(r / h))

@@ -23,7 +23,7 @@ use images::Image;
 use lists::{Chunk, Sorted};
 use rayon::prelude::*;
 
-use crate::kernel::{Kernel, with_kernel};
+use crate::kernel::{Kernel, WendlandC2};
 use crate::particles::{Particles, Scratch};
 use crate::term::{PairTerm, Record, ScaledKernel, Sweep};
 use crate::vector::Vector;
@@ -221,9 +221,14 @@ impl<const D: usize> Sweep<D> for Pairs<D> {
                     packed[d] += image.shift[d];
                 }
             });
-        with_kernel!(self.kernel, K => {
-            let kernel = ScaledKernel::new::<K>(self.smoothing_length, D);
-            sweep::run::<K, T, D>(self.level, term, kernel, &self.chunks, records, &active, sums);
-        });
+        let kernel = ScaledKernel::new(self.kernel, self.smoothing_length, D);
+        let (level, chunks) = (self.level, &self.chunks);
+        if self.kernel == Kernel::WendlandC2 {
+            // The default kernel is worth code of its own.
+            let kernel = kernel.compiled(WendlandC2);
+            sweep::run::<_, T, D>(level, term, kernel, chunks, records, &active, sums);
+        } else {
+            sweep::run::<_, T, D>(level, term, kernel, chunks, records, &active, sums);
+        }
     }
 }

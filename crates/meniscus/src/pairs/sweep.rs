@@ -9,9 +9,8 @@ use rayon::prelude::*;
 
 use super::lane::{Lane, WIDTH};
 use super::lists::{CLUSTERS_PER_CHUNK, Chunk};
-use crate::kernel::SmoothingKernel;
 use crate::particles::Particles;
-use crate::term::{PairTerm, Record, ScaledKernel};
+use crate::term::{PairTerm, Record, ScaledKernel, Shape};
 use crate::vector::Vector;
 
 /// List entries between the prefetched record and the one in use.
@@ -46,10 +45,10 @@ pub(crate) fn pack<T: PairTerm<D>, const D: usize>(
 
 /// Sums `term` for the rows of every cluster for which `active` holds; the
 /// others get zero. `records` holds the rows, then the images.
-pub(crate) fn run<K: SmoothingKernel, T: PairTerm<D>, const D: usize>(
+pub(crate) fn run<Q: Shape, T: PairTerm<D>, const D: usize>(
     level: Level,
     term: &T,
-    kernel: ScaledKernel,
+    kernel: ScaledKernel<Q>,
     chunks: &[Chunk],
     records: &[f64],
     active: &(impl Fn(std::ops::Range<usize>) -> bool + Sync),
@@ -72,32 +71,32 @@ pub(crate) fn run<K: SmoothingKernel, T: PairTerm<D>, const D: usize>(
                 Level::Avx512(simd) => {
                     simd.vectorize(
                         #[inline(always)]
-                        || task.run::<K, _>(simd, sums),
+                        || task.run(simd, sums),
                     );
                 }
                 Level::Avx2(simd) => {
                     simd.vectorize(
                         #[inline(always)]
-                        || task.run::<K, _>(simd, sums),
+                        || task.run(simd, sums),
                     );
                 }
                 _ => {
                     if let Some(simd) = level.as_sse2() {
                         simd.vectorize(
                             #[inline(always)]
-                            || task.run::<K, _>(simd, sums),
+                            || task.run(simd, sums),
                         );
                     }
                 }
             }
             #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-            fearless_simd::dispatch!(level, simd => task.run::<K, _>(simd, sums));
+            fearless_simd::dispatch!(level, simd => task.run(simd, sums));
         });
 }
 
-struct Task<'a, T, A, const D: usize> {
+struct Task<'a, Q, T, A, const D: usize> {
     term: &'a T,
-    kernel: ScaledKernel,
+    kernel: ScaledKernel<Q>,
     chunk: &'a Chunk,
     records: &'a [f64],
     active: &'a A,
@@ -105,15 +104,17 @@ struct Task<'a, T, A, const D: usize> {
     first: usize,
 }
 
-impl<T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: usize> Task<'_, T, A, D> {
+impl<Q: Shape, T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: usize>
+    Task<'_, Q, T, A, D>
+{
     #[inline(always)]
-    fn run<K: SmoothingKernel, S: Simd>(&self, simd: S, sums: &mut [T::Sum<f64>]) {
+    fn run<S: Simd>(&self, simd: S, sums: &mut [T::Sum<f64>]) {
         let mut start = self.first;
         for (sums, list) in sums.chunks_mut(WIDTH).zip(self.chunk.lists()) {
             let rows = start..start + sums.len();
             start = rows.end;
             if (self.active)(rows.clone()) {
-                let sum = self.cluster::<K, S>(simd, rows, list);
+                let sum = self.cluster(simd, rows, list);
                 store(&sum, sums);
             } else {
                 sums.fill(Record::read(&mut || 0.0));
@@ -122,7 +123,7 @@ impl<T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: usize> Task
     }
 
     #[inline(always)]
-    fn cluster<K: SmoothingKernel, S: Simd>(
+    fn cluster<S: Simd>(
         &self,
         simd: S,
         rows: std::ops::Range<usize>,
@@ -156,7 +157,7 @@ impl<T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: usize> Task
             };
             let neighbour = Vector::<Lane<S>, D>::read(&mut next_real);
             let other = T::Record::<Lane<S>>::read(&mut next_real);
-            let pair = self.kernel.pair::<K, _, D>(position - neighbour);
+            let pair = self.kernel.pair::<_, D>(position - neighbour);
             self.term.pair(&own, &other, &pair, &mut sum);
         }
         sum

@@ -1,0 +1,105 @@
+//! Flows that several tests start from.
+#![allow(dead_code)] // each test file uses a part
+
+use meniscus::scheme::{
+    BodyForce, DensityForm, PressureForm, Scheme, SurfaceTension, TimeStep, ViscosityForm,
+};
+use meniscus::fluid::Fluid;
+use meniscus::{Domain, Kernel, Particle, Setup, Vector};
+
+/// Unit density, viscosity `viscosity`, tension `surface_tension`, sound speed 10.
+pub fn fluid(viscosity: f64, surface_tension: f64) -> Fluid {
+    Fluid {
+        name: "fluid".into(),
+        density: 1.0,
+        sound_speed: 10.0,
+        stiffness_exponent: 7.0,
+        background_pressure: 0.0,
+        viscosity,
+        surface_tension,
+    }
+}
+
+/// Plain weakly compressible flow, no viscosity, Wendland C2, h = 2 dx.
+pub fn scheme(spacing: f64) -> Scheme {
+    Scheme {
+        kernel: Kernel::WendlandC2,
+        smoothing_length: 2.0 * spacing,
+        density: DensityForm::Continuity,
+        pressure: PressureForm::OverDensitySquared,
+        artificial_viscosity: 0.0,
+        viscosity: ViscosityForm::Morris,
+        body_force: None::<BodyForce>,
+        surface_tension: None,
+        damping: 0.0,
+        time_step: TimeStep::Adaptive { safety: 1.0 },
+    }
+}
+
+/// A box full of particles on a lattice of `n` per side, side 1, periodic on
+/// all axes, with velocity from position.
+pub fn periodic_box<const D: usize>(
+    n: usize,
+    velocity: impl Fn(Vector<f64, D>) -> Vector<f64, D>,
+    fluid: Fluid,
+) -> Setup<D> {
+    let spacing = 1.0 / n as f64;
+    let particles = (0..n.pow(D as u32))
+        .map(|k| {
+            let position = Vector(std::array::from_fn(|d| {
+                ((k / n.pow(d as u32) % n) as f64 + 0.5) * spacing
+            }));
+            Particle {
+                position,
+                velocity: velocity(position),
+                mass: fluid.density * spacing.powi(D as i32),
+                fluid: 0,
+                body: 0,
+            }
+        })
+        .collect();
+    Setup {
+        scheme: scheme(spacing),
+        fluids: vec![fluid],
+        particles,
+        spacing,
+        domain: Domain { periodic: [Some((0.0, 1.0)); D] },
+    }
+}
+
+/// An ellipse or ellipsoid, semi-axis 1.25 along x and 1 along the others,
+/// cut from a cubic lattice that is shifted and jittered, with surface tension.
+pub fn free_drop<const D: usize>(spacing: f64, jitter: f64) -> Setup<D> {
+    let n = (1.4 / spacing) as i64;
+    let side = 2 * n + 1;
+    let mut particles = Vec::new();
+    for k in 0..side.pow(D as u32) {
+        let position: Vector<f64, D> = Vector(std::array::from_fn(|d| {
+            let cell = (k / side.pow(d as u32) % side - n) as f64;
+            let noise = ((k * 12 + d as i64 * 5) as f64 * 78.233).sin() * 43_758.545_3;
+            (cell + 0.31 + jitter * (2.0 * (noise - noise.floor()) - 1.0)) * spacing
+        }));
+        let stretched = Vector::<f64, D>(std::array::from_fn(|d| {
+            position[d] / if d == 0 { 1.25 } else { 1.0 }
+        }));
+        if stretched.norm() < 1.0 {
+            particles.push(Particle {
+                position,
+                velocity: Vector::ZERO,
+                mass: spacing.powi(D as i32),
+                fluid: 0,
+                body: 0,
+            });
+        }
+    }
+    let mut scheme = scheme(spacing);
+    scheme.artificial_viscosity = 0.1;
+    scheme.surface_tension = Some(SurfaceTension::JancikHyhlik(Default::default()));
+    Setup {
+        scheme,
+        fluids: vec![fluid(0.0, 1.0)],
+        particles,
+        spacing,
+        domain: Domain::default(),
+    }
+}

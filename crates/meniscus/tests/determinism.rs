@@ -1,0 +1,112 @@
+//! The same case gives the same bits: on any number of threads, after a
+//! resume, and with any instruction set.
+
+mod common;
+
+use common::{fluid, free_drop, periodic_box};
+use meniscus::pairs::Instructions;
+use meniscus::rates::{Dimension, Space};
+use meniscus::{Setup, Simulation, Snapshot, Vector};
+
+fn march<const D: usize>(simulation: &mut Simulation<D>, steps: u64) {
+    for _ in 0..steps {
+        simulation.step().expect("the flow is calm");
+    }
+}
+
+fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.expect("a thread pool").install(work)
+}
+
+fn run<const D: usize>(setup: &Setup<D>, steps: u64, threads: usize) -> Snapshot
+where
+    Space: Dimension<D>,
+{
+    on_threads(threads, || {
+        let mut simulation = Simulation::new(setup.clone()).expect("a sound setup");
+        march(&mut simulation, steps);
+        assert!(simulation.pairs().builds() > 1, "the test must cover new lists");
+        simulation.snapshot()
+    })
+}
+
+/// Enough steps for several new lists.
+const STEPS: u64 = 120;
+
+fn same_on_threads<const D: usize>(setup: Setup<D>)
+where
+    Space: Dimension<D>,
+{
+    let one = run(&setup, STEPS, 1);
+    assert_eq!(one, run(&setup, STEPS, 2));
+    assert_eq!(one, run(&setup, STEPS, 4));
+}
+
+fn same_after_resume<const D: usize>(setup: Setup<D>)
+where
+    Space: Dimension<D>,
+{
+    let whole = run(&setup, STEPS, 1);
+    // Every split is met: just before, at and after a new list.
+    let mut first = Simulation::new(setup.clone()).expect("a sound setup");
+    for k in 0..STEPS {
+        if k % 7 == 0 || k == STEPS - 1 {
+            let mut second = Simulation::restore(setup.clone(), &first.snapshot()).expect("fits");
+            march(&mut second, STEPS - k);
+            assert_eq!(whole, second.snapshot(), "stopped after {k} steps");
+        }
+        march(&mut first, 1);
+    }
+}
+
+fn swirl(setup: &mut Setup<2>) {
+    for particle in &mut setup.particles {
+        let [x, y] = particle.position.0;
+        particle.velocity = Vector([2.0 * (6.3 * y).sin(), (6.3 * x).cos()]);
+    }
+}
+
+#[test]
+fn threads_do_not_change_a_bit_of_a_drop() {
+    same_on_threads(free_drop::<2>(0.08, 0.1));
+    same_on_threads(free_drop::<3>(0.16, 0.1));
+}
+
+#[test]
+fn threads_do_not_change_a_bit_of_a_periodic_flow() {
+    let mut setup = periodic_box(24, |_| Vector::ZERO, fluid(0.01, 0.0));
+    swirl(&mut setup);
+    same_on_threads(setup);
+}
+
+#[test]
+fn a_resume_does_not_change_a_bit() {
+    same_after_resume(free_drop::<2>(0.12, 0.1));
+    let mut setup = periodic_box(16, |_| Vector::ZERO, fluid(0.01, 0.0));
+    swirl(&mut setup);
+    same_after_resume(setup);
+}
+
+#[test]
+fn instructions_do_not_change_a_bit() {
+    let setup = free_drop::<2>(0.1, 0.1);
+    let run = |instructions| {
+        let mut simulation = Simulation::new(setup.clone()).expect("a sound setup");
+        simulation.set_instructions(instructions);
+        // The first accelerations were found with the best instructions.
+        march(&mut simulation, STEPS);
+        simulation.snapshot()
+    };
+    let best = run(Instructions::Best);
+    assert_eq!(best, run(Instructions::Avx2));
+    assert_eq!(best, run(Instructions::Portable));
+}
+
+#[test]
+fn a_snapshot_of_another_case_is_refused() {
+    let other = Simulation::new(free_drop::<2>(0.2, 0.1)).expect("a sound setup");
+    let snapshot = other.snapshot();
+    let error = Simulation::restore(free_drop::<2>(0.12, 0.1), &snapshot).err();
+    assert!(error.is_some_and(|e| e.to_string().contains("particles")));
+}
