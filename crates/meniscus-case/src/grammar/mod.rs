@@ -1,0 +1,18 @@
+//! What may stand in a case file, and what it means.
+//!
+//! - `document`: the top of the file
+//! - `fluid`, `body`, `shape`, `arrangement`: what there is at the start
+//! - `physics`: what is solved
+//! - `output`: what is written and measured
+
+mod arrangement;
+mod body;
+mod document;
+mod fluid;
+mod output;
+mod physics;
+mod shape;
+
+pub(crate) use body::{DraftBody, Geometry};
+pub(crate) use document::{Draft, document};
+pub use output::{Measure, Oscillation, Output, Sensor, StaticPressure};

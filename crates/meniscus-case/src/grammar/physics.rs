@@ -1,0 +1,142 @@
+//! What is solved.
+
+use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
+use meniscus::scheme::{BodyForce, DensityForm, PressureForm, SurfaceTension, TimeStep, ViscosityForm};
+
+use crate::read::{Choice, Node, Sign};
+use crate::units;
+
+/// The choices of a scheme that are physics.
+pub(crate) struct Physics {
+    pub density: DensityForm,
+    pub pressure: PressureForm,
+    pub artificial_viscosity: f64,
+    pub viscosity: ViscosityForm,
+    pub body_force: Option<BodyForce>,
+    pub surface_tension: Option<SurfaceTension>,
+    pub damping: f64,
+    pub time_step: TimeStep,
+}
+
+pub(super) fn physics(node: &mut Node<'_>) -> Physics {
+    node.table(|fields| Physics {
+        density: fields.or("density", "'continuity'", "How density is found.", |node| {
+            let names = [("continuity", DensityForm::Continuity), ("summation", DensityForm::Summation)];
+            node.name_of("density form", &names)
+        }),
+        pressure: fields.or("pressure", "'over-density-squared'", "Form of the pressure gradient.", |node| {
+            let names = [
+                ("over-density-squared", PressureForm::OverDensitySquared),
+                ("over-density-product", PressureForm::OverDensityProduct),
+                ("hu-adams", PressureForm::HuAdams),
+            ];
+            node.name_of("pressure form", &names)
+        }),
+        artificial_viscosity: fields.or("artificial_viscosity", "0.1", "alpha of the artificial viscosity.", |node| {
+            node.number(Sign::NotNegative)
+        }),
+        viscosity: fields.or(
+            "viscosity",
+            "'monaghan-cleary'",
+            "Form of the viscous force, where a fluid has viscosity.",
+            |node| {
+                let names =
+                    [("monaghan-cleary", ViscosityForm::MonaghanCleary), ("morris", ViscosityForm::Morris)];
+                node.name_of("viscosity form", &names)
+            },
+        ),
+        surface_tension: fields.or(
+            "surface_tension",
+            "'jancik-hyhlik'",
+            "Model of surface tension, where a fluid has any.",
+            |node| node.choice("surface tension model", SURFACE_TENSION),
+        ),
+        body_force: fields.optional(
+            "body_force",
+            "Acceleration of gravity or of the frame: a vector, or one that changes with time.",
+            |node| {
+                node.either(
+                    node.is_list(),
+                    |node| BodyForce::Constant(node.vector(&units::ACCELERATION, Sign::Any)),
+                    |node| node.choice("body force", BODY_FORCE),
+                )
+            },
+        ),
+        damping: fields.or("damping", "'0 /s'", "Rate of a drag that brings a flow to rest.", |node| {
+            node.quantity(&units::RATE, Sign::NotNegative)
+        }),
+        time_step: fields.or("time_step", "'adaptive'", "\"adaptive\", or a fixed time step.", |node| {
+            node.either(
+                node.is_quantity(),
+                |node| TimeStep::Fixed(node.quantity(&units::TIME, Sign::Positive)),
+                |node| node.choice("time step", TIME_STEP),
+            )
+        }),
+    })
+}
+
+const SURFACE_TENSION: &[Choice<Option<SurfaceTension>>] = &[
+    Choice::new(
+        "jancik-hyhlik",
+        "Continuum surface force on a free surface, of Jancik and Hyhlik.",
+        |node| Some(SurfaceTension::JancikHyhlik(jancik_hyhlik(node))),
+    ),
+    Choice::new("none", "No surface tension.", |node| node.table(|_| None)),
+];
+
+fn jancik_hyhlik(node: &mut Node<'_>) -> JancikHyhlik {
+    node.table(|fields| JancikHyhlik {
+        slope: fields.or("slope", "2.0", "a of their eq. 8.", |node| node.number(Sign::Positive)),
+        power: fields.or("power", "4", "b of their eq. 8.", |node| node.whole(1..=16) as u32),
+        threshold: fields.or("threshold", "0.01", "Normals shorter than this over h count as none.", |node| {
+            node.number(Sign::NotNegative)
+        }),
+    })
+}
+
+const BODY_FORCE: &[Choice<BodyForce>] = &[
+    Choice::new("oscillating", "mean + amplitude sin(2 pi frequency t + phase)", |node| {
+        let dimension = node.context.dimension.get().unwrap_or(2);
+        let zero = format!("[{}]", vec!["'0 m/s^2'"; dimension].join(", "));
+        node.table(|fields| BodyForce::Oscillating {
+            mean: fields.or("mean", &zero, "The constant part.", |node| node.vector(&units::ACCELERATION, Sign::Any)),
+            amplitude: fields.required("amplitude", "The oscillating part.", |node| {
+                node.vector(&units::ACCELERATION, Sign::Any)
+            }),
+            frequency: fields.required("frequency", "Oscillations per second.", |node| {
+                node.quantity(&units::RATE, Sign::Positive)
+            }),
+            phase: fields.or("phase", "'0 deg'", "Phase at the start.", |node| node.quantity(&units::ANGLE, Sign::Any)),
+        })
+    }),
+    Choice::new("table", "Straight lines between given times.", |node| {
+        let rows = node.list(1, |node| {
+            node.table(|fields| {
+                let time = fields.required("time", "When.", |node| node.quantity(&units::TIME, Sign::Any));
+                let acceleration = fields
+                    .required("acceleration", "How much.", |node| node.vector(&units::ACCELERATION, Sign::Any));
+                (time, acceleration)
+            })
+        });
+        if rows.windows(2).any(|pair| pair[1].0 <= pair[0].0) {
+            node.fail("times of a table must increase".into(), "a time is not after the one before it", "sort the rows");
+        }
+        BodyForce::Table(rows)
+    }),
+];
+
+const TIME_STEP: &[Choice<TimeStep>] = &[Choice::new(
+    "adaptive",
+    "The shortest of the acoustic, force, viscous and capillary limits.",
+    |node| {
+        node.table(|fields| TimeStep::Adaptive {
+            safety: fields.or("safety", "1.0", "Factor on all limits, at most 1.", |node| {
+                let safety = node.number(Sign::Positive);
+                if safety > 1.0 {
+                    node.fail(format!("`safety` is {safety}"), "more than 1", "a step above its limits is unstable");
+                }
+                safety
+            }),
+        })
+    },
+)];
