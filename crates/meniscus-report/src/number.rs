@@ -7,6 +7,10 @@ pub struct ScaledUnit {
     pub factor: f64,
     /// As printed, `mm`; empty for a plain number.
     pub unit: String,
+    /// Where a power of ten stands in for a prefix: that power.
+    power: Option<i32>,
+    /// Without prefix or power.
+    plain: String,
 }
 
 /// Symbols before which a prefix may stand. The kilogram and powers are left
@@ -31,37 +35,75 @@ const PREFIXES: [(i32, &str); 10] = [
 /// number is very large or small.
 pub fn scaled_unit(unit: &str, largest: f64) -> ScaledUnit {
     let plain = pretty_unit(unit);
-    let largest = largest.abs();
-    if !largest.is_finite() || largest == 0.0 {
-        return ScaledUnit {
-            factor: 1.0,
-            unit: plain,
-        };
+    let mut scaled = ScaledUnit {
+        factor: 1.0,
+        unit: plain.clone(),
+        power: None,
+        plain,
+    };
+    if !in_reach(largest) {
+        return scaled;
     }
+    let plain = &scaled.plain;
     let thousands = 3 * exponent(largest).div_euclid(3);
-    if takes_prefix(&plain) {
-        let wanted = thousands.clamp(-15, 12);
-        let prefix = PREFIXES.iter().find(|(exponent, _)| *exponent == wanted);
-        let prefix = prefix.map_or("", |(_, prefix)| prefix);
-        ScaledUnit {
-            factor: 10_f64.powi(wanted),
-            unit: format!("{prefix}{plain}"),
-        }
-    } else if (1e-2..1e5).contains(&largest) {
-        ScaledUnit {
-            factor: 1.0,
-            unit: plain,
-        }
-    } else {
-        let power = format!("10{}", superscript(thousands));
-        ScaledUnit {
-            factor: 10_f64.powi(thousands),
-            unit: if plain.is_empty() {
+    let prefix = PREFIXES.iter().find(|(power, _)| *power == thousands);
+    match prefix.filter(|_| takes_prefix(plain)) {
+        Some((_, prefix)) => scaled.unit = format!("{prefix}{plain}"),
+        None if (1e-2..1e5).contains(&largest.abs()) => return scaled,
+        None => {
+            let power = format!("10{}", superscript(thousands));
+            scaled.unit = if plain.is_empty() {
                 format!("×{power}")
             } else {
                 format!("{power} {plain}")
-            },
+            };
+            scaled.power = Some(thousands);
         }
+    }
+    scaled.factor = 10_f64.powi(thousands);
+    scaled
+}
+
+impl ScaledUnit {
+    /// A value (in the plain unit) to `digits` significant digits, with this
+    /// unit behind it.
+    pub fn value(&self, value: f64, digits: usize) -> String {
+        if self.power.is_some() {
+            behind(significant(value, digits), &self.plain)
+        } else {
+            behind(significant(value / self.factor, digits), &self.unit)
+        }
+    }
+
+    /// A value with its uncertainty, that to two digits and the value to the
+    /// same place, with this unit behind them.
+    pub fn uncertain(&self, value: f64, uncertainty: f64) -> String {
+        if !value.is_finite() || !in_reach(uncertainty) {
+            return self.value(value, 4);
+        }
+        let (value, uncertainty) = (value / self.factor, uncertainty.abs() / self.factor);
+        let decimals = places_below(1 - exponent(uncertainty)).min(12);
+        let text = format!(
+            "{} ± {}",
+            fixed(value, decimals),
+            fixed(uncertainty, decimals)
+        );
+        match self.power {
+            // The power of ten multiplies both numbers.
+            Some(power) => {
+                let text = format!("({text}) × 10{}", superscript(power));
+                behind(text, &self.plain)
+            }
+            None => behind(text, &self.unit),
+        }
+    }
+}
+
+fn behind(number: String, unit: &str) -> String {
+    if unit.is_empty() {
+        number
+    } else {
+        format!("{number} {unit}")
     }
 }
 
@@ -98,37 +140,13 @@ pub fn pretty_unit(unit: &str) -> String {
 
 /// A number with its unit to `digits` significant digits: `72.7 mN/m`.
 pub fn with_unit(value: f64, unit: &str, digits: usize) -> String {
-    if unit.is_empty() {
-        return significant(value, digits);
-    }
-    if !value.is_finite() {
-        return format!("{} {}", significant(value, digits), pretty_unit(unit));
-    }
-    let scaled = scaled_unit(unit, value);
-    let number = significant(value / scaled.factor, digits);
-    format!("{number} {}", scaled.unit)
+    scaled_unit(unit, value).value(value, digits)
 }
 
-/// A number with its uncertainty and unit: `72.41 ± 0.35 mN/m`, the
-/// uncertainty to two digits and the value to the same place.
+/// A number with its uncertainty and unit: `72.41 ± 0.35 mN/m`.
 pub fn with_uncertainty(value: f64, uncertainty: f64, unit: &str) -> String {
-    let uncertainty = uncertainty.abs();
-    if !value.is_finite() || !uncertainty.is_finite() || uncertainty == 0.0 {
-        return with_unit(value, unit, 4);
-    }
-    let scaled = scaled_unit(unit, value.abs().max(uncertainty));
-    let (value, uncertainty) = (value / scaled.factor, uncertainty / scaled.factor);
-    let decimals = places_below(1 - exponent(uncertainty)).min(12);
-    let (value, uncertainty) = (fixed(value, decimals), fixed(uncertainty, decimals));
-    let text = format!("{value} ± {uncertainty}");
-    if scaled.unit.is_empty() {
-        text
-    } else if scaled.unit.starts_with(['×', '1']) {
-        // A power of ten multiplies both numbers.
-        format!("({text}) {}", scaled.unit)
-    } else {
-        format!("{text} {}", scaled.unit)
-    }
+    let largest = value.abs().max(uncertainty.abs());
+    scaled_unit(unit, largest).uncertain(value, uncertainty)
 }
 
 /// A plain number to `digits` significant digits, with a power of ten where
@@ -140,7 +158,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     if value.is_infinite() {
         return if value > 0.0 { "∞" } else { "−∞" }.to_owned();
     }
-    if value == 0.0 {
+    if value.abs() < 1e-300 {
         return "0".to_owned();
     }
     let digits = digits.max(1) as i32;
@@ -168,7 +186,13 @@ pub(crate) fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Power of ten of the first digit.
+/// Whether a number is one that powers of ten can scale: not zero, not
+/// infinite, nor at the end of what an f64 holds.
+pub(crate) fn in_reach(value: f64) -> bool {
+    (1e-300..1e300).contains(&value.abs())
+}
+
+/// Power of ten of the first digit of a number that is in reach.
 pub(crate) fn exponent(value: f64) -> i32 {
     let guess = value.abs().log10().floor() as i32;
     // The logarithm may fall on the wrong side at a power of ten itself.
@@ -225,7 +249,7 @@ mod tests {
         assert_eq!(unit("", 0.3), "");
         assert_eq!(unit("s", 0.0), "s");
         assert_eq!(unit("m", 1e-3), "mm");
-        assert_eq!(unit("m", 1e-20), "fm");
+        assert_eq!(unit("m", 1e-20), "10⁻²¹ m");
     }
 
     #[test]
@@ -239,6 +263,8 @@ mod tests {
         assert_eq!(with_unit(0.0727, "N/m", 3), "72.7 mN/m");
         assert_eq!(with_unit(-1.5e-6, "m/s", 2), "−1.5 µm/s");
         assert_eq!(with_unit(0.0, "m", 3), "0 m");
+        assert_eq!(with_unit(3.1e-17, "m", 2), "3.1 × 10⁻¹⁷ m");
+        assert_eq!(with_unit(2.5e-9, "m^2", 2), "2.5 × 10⁻⁹ m²");
         assert_eq!(with_unit(f64::NAN, "m", 3), "not a number m");
         assert_eq!(significant(0.012_345, 3), "0.0123");
         assert_eq!(significant(1.0e-9, 2), "1.0 × 10⁻⁹");
@@ -255,7 +281,7 @@ mod tests {
         assert_eq!(with_uncertainty(0.9961, 0.0042, ""), "0.9961 ± 0.0042");
         assert_eq!(
             with_uncertainty(2e-12, 1e-13, "m^2"),
-            "(2.00 ± 0.10) 10⁻¹² m²"
+            "(2.00 ± 0.10) × 10⁻¹² m²"
         );
         assert_eq!(with_uncertainty(0.5, 0.0, "s"), "500.0 ms");
         assert_eq!(with_uncertainty(1e-5, 2e-3, "s"), "0.0 ± 2.0 ms");

@@ -13,7 +13,7 @@ pub use view::{Direction, View};
 
 use crate::colour::{Colour, viridis};
 use crate::figure::Figure;
-use crate::number::{exponent, fixed, scaled_unit};
+use crate::number::{exponent, fixed, in_reach, scaled_unit};
 use crate::scene::{Anchor, Disc, Mark, Scene};
 use panels::Panels;
 use view::Seen;
@@ -128,12 +128,17 @@ impl ParticlePictures {
         let latest = times.iter().fold(0.0, |a: f64, t| a.max(t.abs()));
         let unit = scaled_unit("s", latest);
         let gaps = times.windows(2).map(|t| (t[1] - t[0]).abs());
-        let gap = gaps.filter(|&g| g > 0.0).fold(latest, f64::min) / unit.factor;
-        let places = if gap > 0.0 { 1 - exponent(gap) } else { 0 };
+        let gap = gaps.filter(|&g| in_reach(g)).fold(latest, f64::min) / unit.factor;
+        let places = if in_reach(gap) { 1 - exponent(gap) } else { 0 };
         let decimals = usize::try_from(places.clamp(0, 6)).unwrap_or(0);
         let title = |t: &f64| format!("t = {} {}", fixed(t / unit.factor, decimals), unit.unit);
         times.iter().map(title).collect()
     }
+}
+
+/// Whether a value has a place on a scale.
+fn shows(value: f64) -> bool {
+    value == 0.0 || in_reach(value)
 }
 
 /// From values to colours.
@@ -146,13 +151,13 @@ struct ColourScale {
 
 impl ColourScale {
     fn new(limits: Option<[f64; 2]>, values: impl Iterator<Item = f64>) -> Self {
-        let mut values: Vec<f64> = values.filter(|v| v.is_finite()).collect();
+        let mut values: Vec<f64> = values.filter(|v| shows(*v)).collect();
         values.sort_by(f64::total_cmp);
         let quantile = |share: f64| {
             let i = (share * values.len().saturating_sub(1) as f64).round() as usize;
             values.get(i).copied().unwrap_or(0.0)
         };
-        let given = limits.filter(|[low, high]| low < high && (high - low).is_finite());
+        let given = limits.filter(|[low, high]| low < high && shows(*low) && shows(*high));
         let [mut low, mut high] = given.unwrap_or([quantile(0.005), quantile(0.995)]);
         if low == high {
             // One value everywhere: put it in the middle.
@@ -167,7 +172,7 @@ impl ColourScale {
     }
 
     fn colour(&self, value: f64) -> Colour {
-        if value.is_finite() {
+        if shows(value) {
             viridis((value - self.low) / (self.high - self.low))
         } else {
             Colour::NO_VALUE

@@ -2,6 +2,7 @@
 
 use super::TITLE;
 use super::view::Seen;
+use crate::number::in_reach;
 use crate::scene::Rect;
 
 /// Widest and highest that the panels together become, pixels.
@@ -88,7 +89,7 @@ fn extent(seen: &[Vec<Seen>]) -> [f64; 4] {
         }
     }
     let largest = (high[0] - low[0]).max(high[1] - low[1]);
-    if !(largest > 0.0 && largest.is_finite()) {
+    if !in_reach(largest) {
         return [-0.5, -0.5, 1.0, 1.0];
     }
     let room = 0.02 * largest;

@@ -48,7 +48,7 @@ impl View {
             .positions
             .iter()
             .enumerate()
-            .filter(|(_, p)| p.iter().all(|x| x.is_finite()))
+            .filter(|(_, p)| p.iter().all(|x| x.abs() < 1e100))
             .map(|(i, &[x, y, z])| {
                 // Depth grows towards the eye, in right-handed axes.
                 let (at, depth) = match direction {

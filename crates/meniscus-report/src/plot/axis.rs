@@ -1,7 +1,7 @@
 //! An axis: what it shows, and where a value lies on it.
 
 use super::ticks::{self, Ticks};
-use crate::number::{ScaledUnit, scaled_unit};
+use crate::number::{ScaledUnit, in_reach, scaled_unit};
 
 /// How values are laid along an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,10 @@ impl Axis {
 
     /// Whether a value has a place on the axis.
     pub(crate) fn shows(&self, value: f64) -> bool {
-        value.is_finite() && (self.scale == Scale::Linear || value > 0.0)
+        match self.scale {
+            Scale::Linear => value == 0.0 || in_reach(value),
+            Scale::Logarithmic => value > 0.0 && in_reach(value),
+        }
     }
 
     /// The axis with its end values, from the limits or from the data with

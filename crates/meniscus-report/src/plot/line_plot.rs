@@ -1,20 +1,15 @@
 //! Laying out a plot: legend on top, axes, curves.
 
-use super::axis::{Axis, FittedAxis};
+use super::axis::Axis;
 use super::curve::{Curve, Style};
+use super::frame::{PlotFrame, TEXT, WIDTH};
 use crate::colour::{Colour, PALETTE};
 use crate::figure::Figure;
-use crate::scene::{Anchor, Disc, Mark, Rect, Scene, Stroke, Text, font};
+use crate::scene::{Anchor, Disc, Mark, Rect, Scene, Stroke, font};
 
-const WIDTH: f64 = 640.0;
-/// Height of the area between the axes.
-const HEIGHT: f64 = 300.0;
-const TICK_SIZE: f64 = 12.5;
-const LABEL_SIZE: f64 = 14.0;
 const LEGEND_ROW: f64 = 21.0;
 /// Width of the sample of a curve in the legend.
 const SAMPLE: f64 = 26.0;
-const TICK: f64 = 5.0;
 
 /// Curves, points, theory lines and bands over common axes.
 ///
@@ -54,47 +49,35 @@ impl LinePlot {
         let heights = |c: &Curve| [c.y.clone(), c.upper.clone()].concat();
         let y = self.y.fit(self.curves.iter().flat_map(heights), 0.06);
 
-        let y_ticks = y.ticks(HEIGHT / 50.0);
-        let labels = y_ticks
-            .labelled
-            .iter()
-            .map(|(_, l)| font::width(l, TICK_SIZE));
-        let left = labels.fold(0.0, f64::max) + TICK + 4.0 + 1.9 * LABEL_SIZE;
-        // The last label of the x axis may stand out by half its width.
-        let right = 22.0;
-        let legend = self.legend(left, WIDTH - left - right);
-        let area = Rect {
-            left,
-            top: legend.height + 12.0,
-            width: WIDTH - left - right,
-            height: HEIGHT,
-        };
+        let mut frame = PlotFrame::new(x, y);
+        let legend = self.legend(frame.area.left, frame.area.width);
+        frame.area.top = legend.height + 12.0;
 
         let mut marks = Vec::new();
-        axes(&mut marks, &area, &x, &y);
+        frame.draw(&mut marks);
         let mut curves = Vec::new();
         for bands in [true, false] {
             for (curve, colour) in self.curves.iter().zip(self.colours()) {
                 if (curve.style == Style::Band) == bands {
-                    self.draw(&mut curves, curve, colour, &place(&area, &x, &y));
+                    self.draw(&mut curves, curve, colour, &frame);
                 }
             }
         }
-        // Marks at the very edge stay whole.
-        let margin = 5.0;
+        // Points on the very edge stay whole.
+        let margin = if has_points { 5.0 } else { 1.0 };
         marks.push(Mark::Clipped {
             window: Rect {
-                left: area.left - margin,
-                top: area.top - margin,
-                width: area.width + 2.0 * margin,
-                height: area.height + 2.0 * margin,
+                left: frame.area.left - margin,
+                top: frame.area.top - margin,
+                width: frame.area.width + 2.0 * margin,
+                height: frame.area.height + 2.0 * margin,
             },
             marks: curves,
         });
         marks.extend(legend.marks);
         let scene = Scene {
             width: WIDTH,
-            height: area.bottom() + TICK + 2.2 * TICK_SIZE + 1.7 * LABEL_SIZE,
+            height: frame.bottom(),
             marks,
         };
         Figure::new(name, caption, scene)
@@ -117,17 +100,10 @@ impl LinePlot {
         colours
     }
 
-    /// Draws a curve; `place` turns values into positions.
-    fn draw(
-        &self,
-        marks: &mut Vec<Mark>,
-        curve: &Curve,
-        colour: Colour,
-        place: &dyn Fn(f64, f64) -> [f64; 2],
-    ) {
+    fn draw(&self, marks: &mut Vec<Mark>, curve: &Curve, colour: Colour, frame: &PlotFrame) {
         let runs = self.runs(curve);
         let placed = |run: &[(f64, f64, f64)]| -> Vec<[f64; 2]> {
-            run.iter().map(|&(x, y, _)| place(x, y)).collect()
+            run.iter().map(|&(x, y, _)| frame.place(x, y)).collect()
         };
         match curve.style {
             Style::Line | Style::Dashed => {
@@ -148,7 +124,7 @@ impl LinePlot {
             Style::Band => {
                 for run in &runs {
                     let mut points = placed(run);
-                    points.extend(run.iter().rev().map(|&(x, _, upper)| place(x, upper)));
+                    points.extend(run.iter().rev().map(|&(x, _, upper)| frame.place(x, upper)));
                     marks.push(Mark::Area {
                         points,
                         fill: colour,
@@ -216,15 +192,15 @@ impl LinePlot {
             if curve.name.is_empty() {
                 continue;
             }
-            let entry = SAMPLE + 7.0 + font::width(&curve.name, TICK_SIZE) + 20.0;
+            let entry = SAMPLE + 7.0 + font::width(&curve.name, TEXT) + 20.0;
             if rows == 0.0 {
                 rows = 1.0;
             } else if x + entry > left + width {
                 (x, y, rows) = (left, y + LEGEND_ROW, rows + 1.0);
             }
             marks.push(self.sample(curve, colour, [x, y]));
-            let at = [x + SAMPLE + 7.0, y + 0.36 * TICK_SIZE];
-            marks.push(Mark::text(at, Anchor::Start, TICK_SIZE, &curve.name));
+            let at = [x + SAMPLE + 7.0, y + 0.36 * TEXT];
+            marks.push(Mark::text(at, Anchor::Start, TEXT, &curve.name));
             x += entry;
         }
         Legend {
@@ -290,76 +266,6 @@ fn point_radius(count: usize) -> f64 {
         60..400 => 2.2,
         _ => 1.4,
     }
-}
-
-fn place<'a>(
-    area: &'a Rect,
-    x: &'a FittedAxis,
-    y: &'a FittedAxis,
-) -> impl Fn(f64, f64) -> [f64; 2] + 'a {
-    move |at_x, at_y| {
-        [
-            area.left + x.share(at_x) * area.width,
-            area.bottom() - y.share(at_y) * area.height,
-        ]
-    }
-}
-
-/// Grid, frame, ticks, numbers and titles.
-fn axes(marks: &mut Vec<Mark>, area: &Rect, x: &FittedAxis, y: &FittedAxis) {
-    let (x_ticks, y_ticks) = (x.ticks(area.width / 85.0), y.ticks(area.height / 50.0));
-    let at_x = |value| area.left + x.share(value) * area.width;
-    let at_y = |value| area.bottom() - y.share(value) * area.height;
-    let (left, right, top, bottom) = (area.left, area.right(), area.top, area.bottom());
-    for (value, _) in &x_ticks.labelled {
-        let x = at_x(*value);
-        marks.push(Mark::segment([x, top], [x, bottom], Colour::GRID, 1.0));
-    }
-    for (value, _) in &y_ticks.labelled {
-        let y = at_y(*value);
-        marks.push(Mark::segment([left, y], [right, y], Colour::GRID, 1.0));
-    }
-    let mut frame = area.corners();
-    frame.push([left, top]);
-    marks.push(Mark::Line {
-        points: frame,
-        stroke: Stroke {
-            colour: Colour::AXIS,
-            width: 1.0,
-            dashed: false,
-        },
-    });
-    let mut tick = |from, to| marks.push(Mark::segment(from, to, Colour::AXIS, 1.0));
-    for (value, _) in &x_ticks.labelled {
-        tick([at_x(*value), bottom], [at_x(*value), bottom + TICK]);
-    }
-    for value in &x_ticks.small {
-        tick([at_x(*value), bottom], [at_x(*value), bottom + 0.5 * TICK]);
-    }
-    for (value, _) in &y_ticks.labelled {
-        tick([left - TICK, at_y(*value)], [left, at_y(*value)]);
-    }
-    for value in &y_ticks.small {
-        tick([left - 0.5 * TICK, at_y(*value)], [left, at_y(*value)]);
-    }
-    for (value, label) in &x_ticks.labelled {
-        let at = [at_x(*value), bottom + TICK + 1.1 * TICK_SIZE];
-        marks.push(Mark::text(at, Anchor::Middle, TICK_SIZE, label));
-    }
-    for (value, label) in &y_ticks.labelled {
-        let at = [left - TICK - 4.0, at_y(*value) + 0.36 * TICK_SIZE];
-        marks.push(Mark::text(at, Anchor::End, TICK_SIZE, label));
-    }
-    let below = bottom + TICK + 1.3 * TICK_SIZE + 1.5 * LABEL_SIZE;
-    let centre = [left + 0.5 * area.width, below];
-    marks.push(Mark::text(centre, Anchor::Middle, LABEL_SIZE, x.title()));
-    marks.push(Mark::Text(Text {
-        at: [1.1 * LABEL_SIZE, top + 0.5 * area.height],
-        anchor: Anchor::Middle,
-        size: LABEL_SIZE,
-        upright: true,
-        content: y.title(),
-    }));
 }
 
 /// The line with no more points than can be seen: where many fall into half a

@@ -1,6 +1,6 @@
 //! Round numbers along an axis.
 
-use crate::number::{exponent, fixed, superscript};
+use crate::number::{exponent, fixed, in_reach, superscript};
 
 /// The ticks of an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,7 +32,7 @@ fn round_near(x: f64) -> f64 {
 /// Ticks at whole multiples of a round step, about `count` of them.
 pub(crate) fn linear(low: f64, high: f64, count: f64) -> Ticks {
     let range = high - low;
-    if !(range > 0.0 && range.is_finite()) {
+    if !(range > 0.0 && in_reach(range)) {
         return Ticks::default();
     }
     let step = round_near(range / count.max(1.0));
@@ -40,6 +40,10 @@ pub(crate) fn linear(low: f64, high: f64, count: f64) -> Ticks {
     // The ends count although a division put them a hair outside.
     let first = (low / step - 1e-6).ceil() as i64;
     let last = (high / step + 1e-6).floor() as i64;
+    // Ends that no f64 parts, or of no magnitude that a power of ten has.
+    if !(0..=100).contains(&last.saturating_sub(first)) {
+        return Ticks::default();
+    }
     let label = |i: i64| (i as f64 * step, fixed(i as f64 * step, decimals));
     Ticks {
         labelled: (first..=last).map(label).collect(),
@@ -51,6 +55,9 @@ pub(crate) fn linear(low: f64, high: f64, count: f64) -> Ticks {
 /// decades where there are two or more, else at 1, 2 and 5 of each, else at
 /// the multiples of a round step.
 pub(crate) fn logarithmic(low: f64, high: f64, count: f64) -> Ticks {
+    if !(in_reach(low) && in_reach(high)) {
+        return Ticks::default();
+    }
     let inside = |x: f64| x >= low * (1.0 - 1e-9) && x <= high * (1.0 + 1e-9);
     let decades = exponent(low)..=exponent(high);
     let within = |factors: &[f64]| -> Vec<f64> {

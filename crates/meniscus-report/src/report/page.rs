@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::{Report, ResultRow, escape};
 use crate::figure::{Figure, FigureError};
-use crate::number::{fixed, significant, with_uncertainty, with_unit};
+use crate::number::{fixed, scaled_unit, significant, with_unit};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -75,23 +75,26 @@ fn table(head: &[&str], rows: impl Iterator<Item = String>) -> String {
 }
 
 fn results(rows: &[ResultRow]) -> String {
-    let head = ["Quantity", "Reference", "", "Computed", "Difference"];
+    let head = ["Quantity", "Reference", "Computed", "Difference"];
     table(
         &head,
         rows.iter().map(|row| {
-            let (source, reference) = match &row.reference {
-                Some((source, value)) => (escape(source), with_unit(*value, &row.unit, 4)),
-                None => (String::new(), "–".to_owned()),
+            // One unit for both, so that they compare at a glance.
+            let reference = row.reference.as_ref().map_or(0.0, |(_, value)| *value);
+            let unit = scaled_unit(&row.unit, row.computed.abs().max(reference.abs()));
+            let reference = match &row.reference {
+                Some((source, value)) => format!(
+                    "{} <span class=\"source\">{}</span>",
+                    escape(&unit.value(*value, 4)),
+                    escape(source)
+                ),
+                None => "–".to_owned(),
             };
-            let computed = match row.uncertainty {
-                Some(uncertainty) => with_uncertainty(row.computed, uncertainty, &row.unit),
-                None => with_unit(row.computed, &row.unit, 4),
-            };
+            let computed = unit.uncertain(row.computed, row.uncertainty.unwrap_or(0.0));
             format!(
-                "<th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"source\">{source}</td>\
+                "<th scope=\"row\">{}</th><td class=\"number\">{reference}</td>\
                  <td class=\"number computed\">{}</td><td class=\"number\">{}</td>",
                 escape(&row.quantity),
-                escape(&reference),
                 escape(&computed),
                 escape(&difference(row))
             )
@@ -105,20 +108,16 @@ fn difference(row: &ResultRow) -> String {
         return "–".to_owned();
     };
     let difference = row.computed - reference;
-    let sign = |value: f64| if value > 0.0 { "+" } else { "" };
+    let sign = if difference > 0.0 { "+" } else { "" };
     if !difference.is_finite() {
         return "–".to_owned();
     }
     if reference == 0.0 {
-        return format!(
-            "{}{}",
-            sign(difference),
-            with_unit(difference, &row.unit, 2)
-        );
+        return format!("{sign}{}", with_unit(difference, &row.unit, 2));
     }
     let percent = 100.0 * difference / reference.abs();
     let decimals = if percent.abs() < 10.0 { 2 } else { 1 };
-    format!("{}{} %", sign(percent), fixed(percent, decimals))
+    format!("{sign}{} %", fixed(percent, decimals))
 }
 
 fn dimensionless(report: &Report) -> String {
