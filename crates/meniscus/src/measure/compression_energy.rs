@@ -6,10 +6,10 @@ use crate::fluid::Fluid;
 /// reference density rho_0 to rho, where
 /// p = (rho_0 c^2 / gamma) ((rho / rho_0)^gamma - 1) + p_b.
 ///
-/// In x = rho / rho_0: (c^2 / gamma) ((x^(gamma - 1) - 1) / (gamma - 1) + 1/x - 1)
-/// + (p_b / rho_0) (1 - 1/x); for gamma = 1 the first fraction is ln x.
-/// Without background pressure it is never negative, and about
-/// c^2 (x - 1)^2 / 2 near x = 1. Density in kg/m^3.
+/// In x = rho / rho_0 it is
+/// `(c^2 / gamma) ((x^(gamma - 1) - 1) / (gamma - 1) + 1/x - 1) + (p_b / rho_0) (1 - 1/x)`,
+/// where for gamma = 1 the first fraction is ln x. Without background pressure it is
+/// never negative, and about c^2 (x - 1)^2 / 2 near x = 1. Density in kg/m^3.
 pub fn specific_compression_energy(density: f64, fluid: &Fluid) -> f64 {
     // With l = ln x the terms that cancel near x = 1 are exact: expm1, not powers.
     let l = ((density - fluid.density) / fluid.density).ln_1p();

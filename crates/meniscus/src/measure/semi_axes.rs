@@ -119,13 +119,14 @@ fn diagonalise<const D: usize>(matrix: &mut [[f64; D]; D]) -> [Vector<f64, D>; D
                 let tangent = ratio.signum() / (ratio.abs() + ratio.hypot(1.0));
                 let cos = 1.0 / tangent.hypot(1.0);
                 let sin = tangent * cos;
+                let turn =
+                    |at_p: f64, at_q: f64| (cos * at_p - sin * at_q, sin * at_p + cos * at_q);
                 for row in matrix.iter_mut() {
-                    (row[p], row[q]) = (cos * row[p] - sin * row[q], sin * row[p] + cos * row[q]);
+                    (row[p], row[q]) = turn(row[p], row[q]);
                 }
-                for d in 0..D {
-                    let (at_p, at_q) = (matrix[p][d], matrix[q][d]);
-                    matrix[p][d] = cos * at_p - sin * at_q;
-                    matrix[q][d] = sin * at_p + cos * at_q;
+                let (row_p, row_q) = (matrix[p], matrix[q]);
+                for (d, (at_p, at_q)) in row_p.into_iter().zip(row_q).enumerate() {
+                    (matrix[p][d], matrix[q][d]) = turn(at_p, at_q);
                 }
                 (matrix[p][q], matrix[q][p]) = (0.0, 0.0);
                 let (at_p, at_q) = (directions[p], directions[q]);

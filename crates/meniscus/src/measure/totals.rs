@@ -40,9 +40,9 @@ pub fn angular_momentum<const D: usize>(
     let mut sum = [0.0; 3];
     for ((&x, v), &m) in positions.iter().zip(velocities).zip(masses) {
         let (r, v) = ((x - point).to_3d(), v.to_3d());
-        for d in 0..3 {
+        for (d, component) in sum.iter_mut().enumerate() {
             let (e, f) = ((d + 1) % 3, (d + 2) % 3);
-            sum[d] += m * (r[e] * v[f] - r[f] * v[e]);
+            *component += m * (r[e] * v[f] - r[f] * v[e]);
         }
     }
     sum

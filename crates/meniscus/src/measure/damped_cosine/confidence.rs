@@ -1,126 +1,74 @@
 //! How well the parameters are known, when what is left over is no white noise.
 //!
-//! The residuals are modelled as an autoregressive process, its coefficients by
-//! Burg's method, its order by Akaike's criterion. Its whitening filter is applied to the
-//! derivatives of the model; from there on the text-book formula of least squares
-//! holds. The fit itself needs no whitening: for sinusoids, plain least squares is as
-//! sharp as weighted (Grenander and Rosenblatt 1957, Statistical Analysis of
-//! Stationary Time Series, ch. 7).
+//! The parameters of a wave feel noise of about its own frequency only, the offset
+//! noise of about none. So in the text-book covariance of least squares the variance of
+//! white noise is replaced by the spectral density of the residuals, averaged over
+//! the neighbouring frequencies that the fit leaves free (for sinusoids, plain least
+//! squares is as sharp as weighted: Grenander and Rosenblatt 1957, Statistical
+//! Analysis of Stationary Time Series, ch. 7). A wave that is no damped cosine leaves
+//! its traces at these very frequencies, and widens the interval, however finely it is
+//! sampled.
 
-use nalgebra::{Matrix5, RowVector5, Vector5};
+use std::f64::consts::TAU;
+
+use nalgebra::{Matrix5, Vector5};
 
 use super::least_squares::Solution;
 use crate::measure::estimate::student_t;
 
-/// Highest order of the autoregressive model.
-const HIGHEST_ORDER: usize = 10;
+/// So many periods per series to either side are averaged.
+const NEIGHBOURS: i32 = 3;
 
 /// What intervals of parameters and functions of them are computed from.
 pub(super) struct Confidence {
     covariance: Matrix5<f64>,
-    quantile: f64,
-    /// How many independent samples would tell the mean as sharply.
+    /// Deviation of the noise times the quantile, as the offset feels it.
+    offset_factor: f64,
+    /// The same as the other parameters feel it.
+    wave_factor: f64,
+    /// How many independent samples would tell the wave as sharply.
     pub effective_samples: f64,
 }
 
 impl Confidence {
-    pub(super) fn of(solution: &Solution) -> Self {
-        let residuals = solution.residuals.as_slice();
-        let n = residuals.len() as f64;
-        let noise = Autoregression::fit(residuals);
-        let order = noise.coefficients.len();
-
-        let mut normal = Matrix5::zeros();
-        let mut innovation = 0.0;
-        for i in order..residuals.len() {
-            let row: RowVector5<f64> = noise.whiten(i, |j| solution.jacobian.row(j).into_owned());
-            normal += row.transpose() * row;
-            innovation += noise.whiten(i, |j| residuals[j]).powi(2);
-        }
-        innovation /= n - 2.0 * order as f64 - 5.0;
-
-        // The spectrum at zero frequency against the variance of the samples.
-        let gain = 1.0 + noise.coefficients.iter().sum::<f64>();
-        let variance = residuals.iter().map(|r| r * r).sum::<f64>() / n;
-        let independence = variance * gain * gain / innovation;
-        let effective_samples = if independence < 1.0 {
-            n * independence
-        } else {
-            n
+    /// For times from 0 to 1; `None` if the series does not tell the parameters apart.
+    pub(super) fn of(times: &[f64], solution: &Solution) -> Option<Self> {
+        let n = times.len() as f64;
+        let periods = solution.parameters[4].abs() / TAU;
+        let density = |cycles: f64| {
+            let (mut real, mut imaginary) = (0.0, 0.0);
+            for (t, r) in times.iter().zip(&solution.residuals) {
+                let (sin, cos) = (TAU * cycles * t).sin_cos();
+                real += r * cos;
+                imaginary += r * sin;
+            }
+            (real * real + imaginary * imaginary) / n
         };
-        // Of few independent samples the fit itself swallows a part, which makes the
-        // rest look smaller and less correlated than the noise is.
-        let degrees = effective_samples - 5.0;
-        let swallowed = effective_samples / degrees.max(1.0);
-        let inverse = normal
-            .try_inverse()
-            .unwrap_or_else(|| Matrix5::repeat(f64::INFINITY));
-        Confidence {
-            covariance: inverse * (innovation * swallowed),
-            quantile: student_t(degrees.max(4.0)),
-            effective_samples,
-        }
+        let around_wave = (-NEIGHBOURS..=NEIGHBOURS)
+            .map(|k| periods + f64::from(k))
+            .filter(|&cycles| cycles >= 0.9);
+        // The four parameters of the wave take two frequencies' cosines and sines.
+        let free_at_wave = around_wave.clone().count() as f64 - 2.0;
+        let at_wave = around_wave.map(density).sum::<f64>() / free_at_wave;
+        // Where the wave is slow it takes from these too: the noise is no less than there.
+        let free_at_zero = f64::from(NEIGHBOURS);
+        let at_zero = (1..=NEIGHBOURS).map(|k| density(f64::from(k))).sum::<f64>() / free_at_zero;
+        let at_zero = at_zero.max(at_wave);
+        let variance = solution.residuals.norm_squared() / n;
+        let covariance = solution.jacobian.tr_mul(&solution.jacobian).try_inverse()?;
+        Some(Confidence {
+            covariance,
+            offset_factor: at_zero.sqrt() * student_t(2.0 * free_at_zero),
+            wave_factor: at_wave.sqrt() * student_t(2.0 * free_at_wave),
+            effective_samples: n * (variance / at_wave).min(1.0),
+        })
     }
 
     /// Half of the 95 % interval of a function with this gradient.
     pub(super) fn half_width(&self, gradient: [f64; 5]) -> f64 {
-        let gradient = Vector5::from(gradient);
-        self.quantile * gradient.dot(&(self.covariance * gradient)).max(0.0).sqrt()
-    }
-}
-
-/// r_i + sum_k a_k r_(i-k) is white.
-struct Autoregression {
-    coefficients: Vec<f64>,
-}
-
-impl Autoregression {
-    /// Burg's method; Akaike's criterion with its correction for short series.
-    fn fit(series: &[f64]) -> Self {
-        let n = series.len();
-        let (mut forward, mut backward) = (series.to_vec(), series.to_vec());
-        let mut power = series.iter().map(|r| r * r).sum::<f64>() / n as f64;
-        let mut coefficients: Vec<f64> = vec![];
-        let mut best = (f64::INFINITY, vec![]);
-        loop {
-            let order = coefficients.len();
-            let parameters = order as f64 + 1.0;
-            let penalty = 2.0 * parameters * n as f64 / (n as f64 - parameters - 1.0);
-            let criterion = n as f64 * power.ln() + penalty;
-            if criterion < best.0 {
-                best = (criterion, coefficients.clone());
-            }
-            if order == HIGHEST_ORDER.min(n / 10) {
-                return Autoregression {
-                    coefficients: best.1,
-                };
-            }
-            let (mut cross, mut sum) = (0.0, 0.0);
-            for i in order + 1..n {
-                cross += forward[i] * backward[i - 1];
-                sum += forward[i].powi(2) + backward[i - 1].powi(2);
-            }
-            let reflection = if sum > 0.0 { -2.0 * cross / sum } else { 0.0 };
-            for i in (order + 1..n).rev() {
-                let (f, b) = (forward[i], backward[i - 1]);
-                forward[i] = f + reflection * b;
-                backward[i] = b + reflection * f;
-            }
-            let previous = coefficients.clone();
-            for (a, b) in coefficients.iter_mut().zip(previous.iter().rev()) {
-                *a += reflection * b;
-            }
-            coefficients.push(reflection);
-            power *= 1.0 - reflection * reflection;
-        }
-    }
-
-    /// The i-th entry of a series, numbers or rows, after the whitening filter.
-    fn whiten<T>(&self, i: usize, series: impl Fn(usize) -> T) -> T
-    where
-        T: std::ops::Mul<f64, Output = T> + std::ops::Add<Output = T>,
-    {
-        let terms = self.coefficients.iter().enumerate();
-        terms.fold(series(i), |sum, (k, &a)| sum + series(i - k - 1) * a)
+        let mut felt = Vector5::repeat(self.wave_factor);
+        felt[0] = self.offset_factor;
+        let gradient = felt.component_mul(&Vector5::from(gradient));
+        gradient.dot(&(self.covariance * gradient)).max(0.0).sqrt()
     }
 }

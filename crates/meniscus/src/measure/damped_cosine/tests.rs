@@ -151,20 +151,21 @@ fn strong_noise_that_hides_the_zero_crossings() {
 #[test]
 fn intervals_hold_the_truth_about_as_often_as_they_say() {
     // 95 of 100 is promised. Of 200 draws at 95 %, fewer than 175 (87.5 %) hit once in
-    // a hundred thousand; correlated noise may cost a few more per cent.
+    // a hundred thousand; noise whose memory is a fair part of a period may cost more.
     let seeds = 200;
-    for correlation in [0.0, 0.6, 0.9] {
+    for (periods, correlation) in [(5.0, 0.0), (5.0, 0.6), (5.0, 0.9), (2.0, 0.6), (12.0, 0.95)] {
         let series = Series {
+            samples: 200,
             noise: 0.2,
+            periods,
             correlation,
             ..USUAL
         };
-        let mut hits = [0; 5];
+        let mut hits = [0; 4];
         for seed in 0..seeds {
             let fit = series.fit(1000 + seed).unwrap();
-            let truths = [OFFSET, AMPLITUDE, series.decay, TAU * series.periods, PHASE];
+            let truths = [AMPLITUDE, series.decay, TAU * series.periods, PHASE];
             let found = [
-                fit.offset,
                 fit.amplitude,
                 fit.damping_rate,
                 fit.angular_frequency,
@@ -177,47 +178,97 @@ fn intervals_hold_the_truth_about_as_often_as_they_say() {
         for hit in hits {
             assert!(
                 hit as f64 >= 0.875 * seeds as f64,
-                "correlation {correlation}: {hits:?}"
+                "{periods}, {correlation}: {hits:?}"
             );
         }
     }
 }
 
 #[test]
+fn the_offset_is_held_too_while_noise_forgets_within_a_period() {
+    let seeds = 200;
+    for (periods, correlation) in [(5.0, 0.0), (5.0, 0.6), (2.0, 0.3)] {
+        let series = Series {
+            samples: 200,
+            noise: 0.2,
+            periods,
+            correlation,
+            ..USUAL
+        };
+        let hits = (0..seeds)
+            .filter(|seed| {
+                let offset = series.fit(5000 + seed).unwrap().offset;
+                (offset.value - OFFSET).abs() <= offset.half_width
+            })
+            .count();
+        assert!(
+            hits as f64 >= 0.875 * seeds as f64,
+            "{periods}, {correlation}: {hits}"
+        );
+    }
+}
+
+#[test]
 fn intervals_are_no_wider_than_theory_demands() {
     // White noise on an undamped wave: the deviation of omega is at least
-    // sqrt(24 / N) noise / (amplitude T) (Rife and Boorstyn 1974; with the damping rate
-    // free the bound is the same). N is large, and so is the number of periods.
+    // sqrt(24 / N) noise / (amplitude T) (Rife and Boorstyn 1974). Five frequencies tell
+    // the noise, so that 2.23 of its deviations, themselves 2.5 % low in the mean, stand in
+    // place of 1.96: 1.11 of the bound. Forty draws leave 4 % of scatter.
     let series = Series {
-        samples: 2000,
+        samples: 1000,
         periods: 30.0,
         decay: 0.0,
         noise: 0.3,
         correlation: 0.0,
     };
-    let bound = 1.96 * (24.0_f64 / 2000.0).sqrt() * 0.3 / AMPLITUDE;
-    let mean: f64 = (0..10)
-        .map(|seed| series.fit(seed).unwrap().angular_frequency.half_width)
-        .sum::<f64>()
-        / 10.0;
-    assert!((mean / bound - 1.0).abs() < 0.05, "{mean} against {bound}");
+    let bound = 1.96 * (24.0_f64 / 1000.0).sqrt() * 0.3 / AMPLITUDE;
+    let widths = (0..40).map(|seed| series.fit(seed).unwrap().angular_frequency.half_width);
+    let mean = widths.sum::<f64>() / 40.0;
+    assert!((mean / bound - 1.11).abs() < 0.12, "{mean} against {bound}");
 }
 
 #[test]
 fn correlated_noise_is_worth_fewer_samples() {
-    // For neighbours correlated by r the mean is as uncertain as that of
-    // N (1 - r) / (1 + r) independent samples.
+    // For neighbours correlated by r a slow wave is as uncertain as it would be of
+    // N (1 - r) / (1 + r) independent samples. Forty draws of five frequencies each
+    // leave 7 % of scatter in the mean of the inverse.
     let series = Series {
-        samples: 2000,
+        samples: 1000,
         noise: 0.2,
         correlation: 0.8,
         ..USUAL
     };
-    let effective = series.fit(5).unwrap().effective_samples;
+    let inverse = (0..40).map(|seed| 1.0 / series.fit(seed).unwrap().effective_samples);
+    let effective = 40.0 / inverse.sum::<f64>();
     assert!(
-        (effective / (2000.0 / 9.0) - 1.0).abs() < 0.3,
+        (effective / (1000.0 / 9.0) - 1.0).abs() < 0.2,
         "{effective}"
     );
+}
+
+#[test]
+fn a_wave_that_is_no_damped_cosine_widens_its_interval_however_finely_it_is_sampled() {
+    // The frequency rises by 5 % as the swing dies down: an interval that shrank
+    // with the number of samples would be deceptive.
+    let drifting = |samples: u32| {
+        let (mut times, mut values, mut phase) = (vec![], vec![], 0.0_f64);
+        for i in 0..samples {
+            let t = f64::from(i) / f64::from(samples);
+            let amplitude = (-0.9 * t).exp();
+            times.push(t);
+            values.push(amplitude * phase.cos());
+            phase += TAU * 6.0 * (1.0 - 0.05 * amplitude.powi(2)) / f64::from(samples);
+        }
+        DampedCosine::fit(&times, &values)
+            .unwrap()
+            .angular_frequency
+    };
+    let (coarse, fine) = (drifting(180), drifting(1800));
+    assert!(
+        (coarse.half_width / fine.half_width - 1.0).abs() < 0.05,
+        "{coarse:?} {fine:?}"
+    );
+    assert!(coarse.half_width > 0.003 * coarse.value);
 }
 
 #[test]
