@@ -69,7 +69,9 @@ impl Case {
         let shown = path.display().to_string();
         let source = std::fs::read(path)
             .map_err(|error| error.to_string())
-            .and_then(|bytes| String::from_utf8(bytes).map_err(|error| format!("not UTF-8 text: {error}")));
+            .and_then(|bytes| {
+                String::from_utf8(bytes).map_err(|error| format!("not UTF-8 text: {error}"))
+            });
         match source {
             Ok(source) => Self::from_str(&shown, &source),
             Err(reason) => {
@@ -114,7 +116,9 @@ impl Case {
             fluids: self.fluids.clone(),
             particles: self.particles(),
             spacing: self.spacing,
-            domain: Domain { periodic: std::array::from_fn(|d| self.periodic[d]) },
+            domain: Domain {
+                periodic: std::array::from_fn(|d| self.periodic[d]),
+            },
         }
     }
 

@@ -39,17 +39,21 @@ pub struct Diagnostics {
 
 impl Diagnostics {
     pub(crate) fn new(name: &str, source: &str, mut list: Vec<Diagnostic>) -> Self {
-        // An empty place at the end of a line cannot be underlined, and a
-        // place within a character cannot be cut out.
         for diagnostic in &mut list {
             if let Some(span) = &mut diagnostic.span {
+                // One line says where: the first of a long value.
                 let start = source.floor_char_boundary(span.start);
                 let end = source.ceil_char_boundary(span.end.max(start));
-                *span = start..end;
+                let first_line = source[start..end].lines().next().map_or(0, str::len);
+                *span = start..start + first_line;
             }
         }
         list.sort_by_key(|diagnostic| diagnostic.span.as_ref().map_or(0, |span| span.start));
-        Self { name: name.into(), source: source.into(), list }
+        Self {
+            name: name.into(),
+            source: source.into(),
+            list,
+        }
     }
 
     /// One by one.
@@ -71,15 +75,25 @@ impl Diagnostics {
     pub fn line_and_column(&self, diagnostic: &Diagnostic) -> Option<(usize, usize)> {
         let before = &self.source[..diagnostic.span.as_ref()?.start];
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        Some((before.matches('\n').count() + 1, before[line_start..].chars().count() + 1))
+        Some((
+            before.matches('\n').count() + 1,
+            before[line_start..].chars().count() + 1,
+        ))
     }
 
     /// The text to print: each with its place as `file:line:column`, the line
     /// itself with the place underlined, and what would be right.
     pub fn render(&self, colour: bool) -> String {
-        let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
-        let all: Vec<String> =
-            self.list.iter().map(|diagnostic| self.render_one(diagnostic, &renderer)).collect();
+        let renderer = if colour {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        };
+        let all: Vec<String> = self
+            .list
+            .iter()
+            .map(|diagnostic| self.render_one(diagnostic, &renderer))
+            .collect();
         all.join("\n\n")
     }
 
@@ -88,10 +102,17 @@ impl Diagnostics {
             Severity::Error => Level::ERROR,
             Severity::Warning => Level::WARNING,
         };
-        let mut group = annotate_snippets::Group::with_title(level.primary_title(&diagnostic.message));
+        let mut group =
+            annotate_snippets::Group::with_title(level.primary_title(&diagnostic.message));
         if let Some(span) = &diagnostic.span {
-            let here = AnnotationKind::Primary.span(span.clone()).label(&diagnostic.label);
-            group = group.element(Snippet::source(&self.source).path(&self.name).annotation(here));
+            let here = AnnotationKind::Primary
+                .span(span.clone())
+                .label(&diagnostic.label);
+            group = group.element(
+                Snippet::source(&self.source)
+                    .path(&self.name)
+                    .annotation(here),
+            );
         }
         if let Some(help) = &diagnostic.help {
             group = group.element(Level::HELP.message(help));
@@ -109,10 +130,18 @@ impl fmt::Display for Diagnostics {
 impl std::error::Error for Diagnostics {}
 
 /// The name nearest to what was written, if one is near enough to be meant.
-pub(crate) fn nearest<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(
+    written: &str,
+    names: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
     names
         .into_iter()
-        .map(|name| (strsim::jaro_winkler(&written.to_lowercase(), &name.to_lowercase()), name))
+        .map(|name| {
+            (
+                strsim::jaro_winkler(&written.to_lowercase(), &name.to_lowercase()),
+                name,
+            )
+        })
         .filter(|(likeness, _)| *likeness > 0.75)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, name)| name)

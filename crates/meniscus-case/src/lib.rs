@@ -14,7 +14,7 @@
 //!     shape = { disc = { radius = "1 mm" } }
 //! "#).unwrap();
 //! assert_eq!(case.fluids[0].surface_tension, 0.0728);
-//! assert_eq!(case.particles::<2>().len(), 1257);
+//! assert_eq!(case.particles::<2>().len(), 1245);
 //! ```
 //!
 //! A wrong file gives every mistake at once, each with its place, what was
@@ -29,9 +29,10 @@
 //! - `case`: the resolved case
 //! - `grammar`: what may stand in a file
 //! - `read`: how a file is read, and its schema written, by one walk
-//! - `resolve`, `overlap`, `speed`, `memory`: from the file to particles, and whether they make sense
+//! - `resolve`, `bodies`, `overlap`, `speed`, `memory`: from the file to particles, and whether they make sense
 //! - `units`, `diagnostic`, `template`
 
+mod bodies;
 mod case;
 mod diagnostic;
 mod grammar;

@@ -11,7 +11,9 @@ pub(crate) fn room() -> (usize, f64) {
     let free = std::fs::read_to_string("/proc/meminfo")
         .ok()
         .and_then(|text| {
-            let line = text.lines().find(|line| line.starts_with("MemAvailable:"))?;
+            let line = text
+                .lines()
+                .find(|line| line.starts_with("MemAvailable:"))?;
             line.split_whitespace().nth(1)?.parse::<f64>().ok()
         })
         .map_or(most, |kibibytes| (1024.0 * kibibytes).min(most));

@@ -15,7 +15,9 @@ pub(crate) fn closest_of_two_bodies(
     for (i, particle) in particles.iter().enumerate() {
         let mut images = vec![particle.position.0];
         for d in 0..3 {
-            let Some((low, high)) = periodic[d] else { continue };
+            let Some((low, high)) = periodic[d] else {
+                continue;
+            };
             for k in 0..images.len() {
                 let mut image = images[k];
                 // One that has crossed the low face meets those at the high face.
@@ -33,7 +35,9 @@ pub(crate) fn closest_of_two_bodies(
             // A run of three cells along the last axis is contiguous.
             let row = [home[0] + offset / 3 - 1, home[1] + offset % 3 - 1];
             let start = places.partition_point(|place| place.0 < [row[0], row[1], home[2] - 1]);
-            let near = places[start..].iter().take_while(|place| place.0 <= [row[0], row[1], home[2] + 1]);
+            let near = places[start..]
+                .iter()
+                .take_while(|place| place.0 <= [row[0], row[1], home[2] + 1]);
             for &(_, y, j) in near {
                 let square: f64 = (0..3).map(|d| (x[d] - y[d]).powi(2)).sum();
                 if particles[i].body < particles[j].body && square < distance * distance {

@@ -9,7 +9,10 @@ use crate::read::{Context, Node};
 ///
 /// It is written by the same walk that reads a file.
 pub fn schema() -> Value {
-    let context = Context { describing: true, ..Context::default() };
+    let context = Context {
+        describing: true,
+        ..Context::default()
+    };
     let mut node = Node::root(&context, None);
     document(&mut node);
     let mut schema = node.schema;

@@ -32,7 +32,10 @@ impl SpeedScales {
         bodies: &[(usize, f64)],
         body_force: Option<&BodyForce>,
     ) -> Self {
-        let initial = particles.iter().map(|p| p.velocity.norm()).fold(0.0, f64::max);
+        let initial = particles
+            .iter()
+            .map(|p| p.velocity.norm())
+            .fold(0.0, f64::max);
         let capillary = bodies
             .iter()
             .filter_map(|&(fluid, volume)| {
@@ -44,17 +47,28 @@ impl SpeedScales {
         let gravity = body_force.map_or(0.0, |force| {
             let extents: [f64; 3] = std::array::from_fn(|d| {
                 let along = particles.iter().map(|p| p.position[d]);
-                along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
+                along.clone().fold(f64::NEG_INFINITY, f64::max)
+                    - along.fold(f64::INFINITY, f64::min)
             });
-            let reach = |g: [f64; 3]| (0..dimension).map(|d| (g[d] * extents[d]).abs()).sum::<f64>();
+            let reach = |g: [f64; 3]| {
+                (0..dimension)
+                    .map(|d| (g[d] * extents[d]).abs())
+                    .sum::<f64>()
+            };
             match force {
                 BodyForce::Constant(g) => reach(*g),
-                BodyForce::Oscillating { mean, amplitude, .. } => reach(*mean) + reach(*amplitude),
+                BodyForce::Oscillating {
+                    mean, amplitude, ..
+                } => reach(*mean) + reach(*amplitude),
                 BodyForce::Table(rows) => rows.iter().map(|(_, g)| reach(*g)).fold(0.0, f64::max),
             }
             .sqrt()
         });
-        Self { initial, capillary, gravity }
+        Self {
+            initial,
+            capillary,
+            gravity,
+        }
     }
 }
 

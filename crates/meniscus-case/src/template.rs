@@ -2,7 +2,10 @@
 
 /// A commented case file of this title, which runs as it is.
 pub fn template(name: &str) -> String {
-    let title: String = name.chars().filter(|c| !c.is_control() && !"\"\\".contains(*c)).collect();
+    let title: String = name
+        .chars()
+        .filter(|c| !c.is_control() && !"\"\\".contains(*c))
+        .collect();
     format!(
         r##"# A case of Meniscus. Every quantity has its unit; a bare number is SI.
 # `meniscus check FILE` says what it means, `meniscus run FILE` runs it.

@@ -12,10 +12,25 @@ pub(super) fn arrangement<const D: usize>(node: &mut Node<'_>, spacing: f64) -> 
         "arrangement",
         &[
             Choice::new("square", "A square lattice.", cubic).only_in(2),
-            Choice::new("triangular", "A triangular lattice, rows along x.", close_packed).only_in(2),
-            Choice::new("rings", "Rings one spacing apart; ring k holds 6 k particles.", concentric).only_in(2),
+            Choice::new(
+                "triangular",
+                "A triangular lattice, rows along x.",
+                close_packed,
+            )
+            .only_in(2),
+            Choice::new(
+                "rings",
+                "Rings one spacing apart; ring k holds 6 k particles.",
+                concentric,
+            )
+            .only_in(2),
             Choice::new("cubic", "A cubic lattice.", cubic).only_in(3),
-            Choice::new("hexagonal", "Hexagonal close packing, layers along z.", close_packed).only_in(3),
+            Choice::new(
+                "hexagonal",
+                "Hexagonal close packing, layers along z.",
+                close_packed,
+            )
+            .only_in(3),
             Choice::new("shells", "Spherical shells one spacing apart.", concentric).only_in(3),
         ],
     );

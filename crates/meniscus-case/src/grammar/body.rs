@@ -29,6 +29,15 @@ pub(crate) enum Geometry {
 
 /// All bodies; none where the file does not say how many dimensions it has.
 pub(super) fn bodies(node: &mut Node<'_>, fluids: &[DraftFluid]) -> Vec<DraftBody> {
+    if node.is_table() {
+        let help = "write [[body]] in double brackets, once for each body";
+        node.fail(
+            "`body` must be a list".into(),
+            "this is a single table",
+            help,
+        );
+        return Vec::new();
+    }
     let mut count = 0;
     let read = |node: &mut Node<'_>| {
         count += 1;
@@ -37,11 +46,22 @@ pub(super) fn bodies(node: &mut Node<'_>, fluids: &[DraftFluid]) -> Vec<DraftBod
             return None;
         }
         Some(match dimension {
-            Some(2) => body(node, count, fluids, |s, a| Geometry::Plane(s, a)),
-            _ => body(node, count, fluids, |s, a| Geometry::Space(s, a)),
+            Some(2) => body(node, count, fluids, Geometry::Plane),
+            _ => body(node, count, fluids, Geometry::Space),
         })
     };
-    node.list(1, read).into_iter().flatten().collect()
+    let bodies: Vec<_> = node.list(1, read).into_iter().flatten().collect();
+    let most = usize::from(u16::MAX);
+    if bodies.len().max(fluids.len()) > most {
+        let help =
+            format!("at most {most} bodies and fluids; a union makes one body of many shapes");
+        node.fail(
+            "too many bodies or fluids".into(),
+            "more than a particle can name",
+            help,
+        );
+    }
+    bodies
 }
 
 fn body<const D: usize>(
@@ -58,11 +78,12 @@ fn body<const D: usize>(
         let name = fields.or("name", &default, "What reports call it.", |node| node.text());
         let about = "The name of its fluid. Default: the only one.";
         let fluid = match fluids {
-            [only] if !fields.has("fluid") && !context.describing => {
+            [only] if !fields.has("fluid") => {
                 fields.note("fluid", Echo::text(&only.fluid.name));
                 0
             }
-            _ if context.describing => fields.optional("fluid", about, |node| fluid(node, fluids)).unwrap_or(0),
+            // With no fluid at all, that is what the file is told.
+            [] => fields.optional("fluid", about, |node| fluid(node, fluids)).unwrap_or(0),
             _ => fields.required("fluid", about, |node| fluid(node, fluids)),
         };
         let mut shape_span = 0..0;
@@ -102,7 +123,11 @@ fn fluid(node: &mut Node<'_>, fluids: &[DraftFluid]) -> usize {
             Some(name) => format!("did you mean \"{name}\"?"),
             None => format!("known fluids: {}", names().collect::<Vec<_>>().join(", ")),
         };
-        node.fail(format!("undefined fluid \"{name}\""), format!("there is no [fluid.{name}]"), help);
+        node.fail(
+            format!("undefined fluid \"{name}\""),
+            format!("there is no [fluid.{name}]"),
+            help,
+        );
     }
     0
 }

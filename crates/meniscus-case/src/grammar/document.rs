@@ -28,9 +28,14 @@ pub(crate) struct Draft {
 
 pub(crate) fn document(node: &mut Node<'_>) -> Draft {
     node.table(|fields| {
-        let title = fields.optional("title", "A line that names the case in reports.", |node| node.text());
-        let description =
-            fields.optional("description", "What the case is about, for reports.", |node| node.text());
+        let title = fields.optional("title", "A line that names the case in reports.", |node| {
+            node.text()
+        });
+        let description = fields.optional(
+            "description",
+            "What the case is about, for reports.",
+            |node| node.text(),
+        );
         let dimension = fields.required("dimension", "Dimensions of space: 2 or 3.", |node| {
             let dimension = node.whole(2..=3) as usize;
             // A wrong one must not make every vector wrong as well.
@@ -38,35 +43,30 @@ pub(crate) fn document(node: &mut Node<'_>) -> Draft {
             node.context.dimension.set(known.then_some(dimension));
             dimension
         });
-        let spacing = fields.required("spacing", "Distance between particles, the unit `dx` below.", |node| {
-            let spacing = node.quantity(&units::LENGTH, Sign::Positive);
-            node.context.spacing.set(Some(spacing));
-            spacing
+        let spacing = fields.required(
+            "spacing",
+            "Distance between particles, the unit `dx` below.",
+            |node| {
+                let spacing = node.quantity(&units::LENGTH, Sign::Positive);
+                node.context.spacing.set(Some(spacing));
+                spacing
+            },
+        );
+        let end_time = fields.required("end_time", "Simulated time.", |node| {
+            node.quantity(&units::TIME, Sign::Positive)
         });
-        let end_time = fields
-            .required("end_time", "Simulated time.", |node| node.quantity(&units::TIME, Sign::Positive));
         let kernel = fields.or("kernel", "'wendland-c2'", "Smoothing kernel.", |node| {
             node.name_of("kernel", &Kernel::ALL.map(|kernel| (kernel.name(), kernel)))
         });
         let about = "Smoothing length h, at least one spacing.";
-        let smoothing_length =
-            fields.or("smoothing_length", "'2 dx'", about, |node| smoothing_length(node, spacing));
-        let periodic = periodic(fields);
-        let fluids = fields.required(
-            "fluid",
-            "The liquids, each in a section [fluid.NAME] with a name of its own.",
-            |node| {
-                let fluids = node.named(fluid);
-                node.example = "a section [fluid.water] with density = \"1000 kg/m^3\"".into();
-                fluids
-            },
-        );
-        let about = "The bodies of liquid at the start, each in a section [[body]].";
-        let bodies = fields.required("body", about, |node| {
-            let bodies = bodies(node, &fluids);
-            node.example = "a section [[body]] with fluid and shape".into();
-            bodies
+        let smoothing_length = fields.or("smoothing_length", "'2 dx'", about, |node| {
+            smoothing_length(node, spacing)
         });
+        let periodic = periodic(fields);
+        let about = "The liquids, each in a section of its own, such as [fluid.water].";
+        let fluids = fields.required("fluid", about, |node| node.named(fluid));
+        let about = "The bodies of liquid at the start, each in a section [[body]].";
+        let bodies = fields.required("body", about, |node| bodies(node, &fluids));
         let about = "The equations: all optional.";
         let physics = fields.or("physics", "{}", about, physics);
         let about = "How often results are written: all optional.";
@@ -97,7 +97,7 @@ fn smoothing_length(node: &mut Node<'_>, spacing: f64) -> f64 {
         node.fail(
             format!("the smoothing length is {:.3} of a spacing", h / spacing),
             "less than one spacing",
-            "particles would hardly see one another: 1.2 dx to 2 dx is usual",
+            "use at least 1 dx; 1.2 dx to 2 dx is usual",
         );
     }
     h
@@ -113,7 +113,11 @@ fn periodic(fields: &mut Fields<'_, '_>) -> [Option<(f64, f64)>; 3] {
             let x = fields.optional("x", about, interval);
             let y = fields.optional("y", about, interval);
             // In 2D there is no such direction.
-            let z = if dimension == Some(2) { None } else { fields.optional("z", about, interval) };
+            let z = if dimension == Some(2) {
+                None
+            } else {
+                fields.optional("z", about, interval)
+            };
             [x, y, z]
         })
     };
@@ -123,11 +127,18 @@ fn periodic(fields: &mut Fields<'_, '_>) -> [Option<(f64, f64)>; 3] {
 fn interval(node: &mut Node<'_>) -> (f64, f64) {
     let ends = node.list(2, |node| node.quantity(&units::LENGTH, Sign::Any));
     node.schema["maxItems"] = 2.into();
-    let (low, high) = (ends.first().copied().unwrap_or(f64::NAN), ends.get(1).copied().unwrap_or(f64::NAN));
+    let (low, high) = (
+        ends.first().copied().unwrap_or(f64::NAN),
+        ends.get(1).copied().unwrap_or(f64::NAN),
+    );
     if ends.len() > 2 || low >= high {
         node.fail(
             format!("`{}` must be a lowest and a highest coordinate", node.name),
-            if ends.len() > 2 { "more than two" } else { "the second is not above the first" },
+            if ends.len() > 2 {
+                "more than two"
+            } else {
+                "the second is not above the first"
+            },
             format!("for example {} = [\"-1 mm\", \"1 mm\"]", node.name),
         );
     } else if high - low < node.context.spacing.get().unwrap_or(f64::NAN) {

@@ -35,17 +35,19 @@ pub(crate) fn fluid(name: &str, node: &mut Node<'_>) -> DraftFluid {
         let viscosity = fields.or("viscosity", "'0 Pa s'", "Dynamic viscosity.", |node| {
             node.quantity(&units::VISCOSITY, Sign::NotNegative)
         });
-        let about = "Numerical speed of sound. Default: ten times the largest speed that the case shows.";
-        let sound_speed = fields.optional("sound_speed", about, |node| {
-            sound_speed_span = Some(node.span());
-            node.quantity(&units::SPEED, Sign::Positive)
-        });
         let about = "Exponent of the equation of state.";
-        let stiffness_exponent =
-            fields.or("stiffness_exponent", "7", about, |node| node.number(Sign::Positive));
+        let stiffness_exponent = fields.or("stiffness_exponent", "7", about, |node| {
+            node.number(Sign::Positive)
+        });
         let about = "Pressure added everywhere.";
         let background_pressure = fields.or("background_pressure", "'0 Pa'", about, |node| {
             node.quantity(&units::PRESSURE, Sign::Any)
+        });
+        let about =
+            "Numerical speed of sound. Default: ten times the largest speed that the case shows.";
+        let sound_speed = fields.optional("sound_speed", about, |node| {
+            sound_speed_span = Some(node.span());
+            node.quantity(&units::SPEED, Sign::Positive)
         });
         let fluid = Fluid {
             name: name.into(),
@@ -56,6 +58,10 @@ pub(crate) fn fluid(name: &str, node: &mut Node<'_>) -> DraftFluid {
             viscosity,
             surface_tension,
         };
-        DraftFluid { fluid, sound_speed_span, surface_tension_span }
+        DraftFluid {
+            fluid,
+            sound_speed_span,
+            surface_tension_span,
+        }
     })
 }

@@ -56,14 +56,38 @@ pub struct Sensor {
 
 pub(super) fn output(node: &mut Node<'_>, end_time: f64) -> Output {
     node.table(|fields| Output {
-        frames: time(fields, "frames", "Time between frames. Default: a hundredth of end_time.", end_time, 0.01),
-        series: time(fields, "series", "Time between lines of the time series. Default: a thousandth of end_time.", end_time, 0.001),
-        checkpoints: time(fields, "checkpoints", "Time between checkpoints. Default: a tenth of end_time.", end_time, 0.1),
+        frames: time(
+            fields,
+            "frames",
+            "Time between frames. Default: a hundredth of end_time.",
+            end_time,
+            0.01,
+        ),
+        series: time(
+            fields,
+            "series",
+            "Time between lines of the time series. Default: a thousandth of end_time.",
+            end_time,
+            0.001,
+        ),
+        checkpoints: time(
+            fields,
+            "checkpoints",
+            "Time between checkpoints. Default: a tenth of end_time.",
+            end_time,
+            0.1,
+        ),
     })
 }
 
 /// An interval whose default is a share of the end time.
-fn time(fields: &mut Fields<'_, '_>, key: &'static str, about: &str, end_time: f64, share: f64) -> f64 {
+fn time(
+    fields: &mut Fields<'_, '_>,
+    key: &'static str,
+    about: &str,
+    end_time: f64,
+    share: f64,
+) -> f64 {
     let read = |node: &mut Node<'_>| node.quantity(&units::TIME, Sign::Positive);
     // A share of a wrong end time would be a second complaint about one mistake.
     if end_time.is_nan() {
@@ -102,18 +126,49 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64) -> Measure {
 
 /// A part of the run: from a share of the end time to its end.
 fn window(fields: &mut Fields<'_, '_>, end_time: f64, share: f64) -> (f64, f64) {
-    let from = instant(fields, "from", "When it starts.", end_time, end_time * share, f64::NEG_INFINITY);
-    let to = instant(fields, "to", "When it ends. Default: end_time.", end_time, end_time, from);
+    let from = instant(
+        fields,
+        "from",
+        "When it starts.",
+        end_time,
+        end_time * share,
+        f64::NEG_INFINITY,
+    );
+    let to = instant(
+        fields,
+        "to",
+        "When it ends. Default: end_time.",
+        end_time,
+        end_time,
+        from,
+    );
     (from, to)
 }
 
-fn instant(fields: &mut Fields<'_, '_>, key: &'static str, about: &str, end_time: f64, default: f64, after: f64) -> f64 {
+fn instant(
+    fields: &mut Fields<'_, '_>,
+    key: &'static str,
+    about: &str,
+    end_time: f64,
+    default: f64,
+    after: f64,
+) -> f64 {
     let read = |node: &mut Node<'_>| {
         let time = node.quantity(&units::TIME, Sign::NotNegative);
         if time > end_time * (1.0 + 1e-9) {
-            node.fail(format!("`{key}` is {time} s"), "after the end of the run", format!("end_time is {end_time} s"));
-        } else if time <= after {
-            node.fail(format!("`{key}` is {time} s"), "not after `from`", format!("`from` is {after} s"));
+            node.fail(
+                format!("`{key}` is {time} s"),
+                "after the end of the run",
+                format!("end_time is {end_time} s"),
+            );
+            return f64::NAN;
+        }
+        if time <= after {
+            node.fail(
+                format!("`{key}` is {time} s"),
+                "not after `from`",
+                format!("`from` is {after} s"),
+            );
         }
         time
     };
@@ -126,6 +181,8 @@ fn instant(fields: &mut Fields<'_, '_>, key: &'static str, about: &str, end_time
 fn sensor(node: &mut Node<'_>) -> Sensor {
     node.table(|fields| Sensor {
         name: fields.required("name", "Its name in the time series.", |node| node.text()),
-        at: fields.required("at", "Where it is.", |node| node.vector(&units::LENGTH, Sign::Any)),
+        at: fields.required("at", "Where it is.", |node| {
+            node.vector(&units::LENGTH, Sign::Any)
+        }),
     })
 }

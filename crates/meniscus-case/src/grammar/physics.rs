@@ -1,7 +1,9 @@
 //! What is solved.
 
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
-use meniscus::scheme::{BodyForce, DensityForm, PressureForm, SurfaceTension, TimeStep, ViscosityForm};
+use meniscus::scheme::{
+    BodyForce, DensityForm, PressureForm, SurfaceTension, TimeStep, ViscosityForm,
+};
 
 use crate::read::{Choice, Node, Sign};
 use crate::units;
@@ -21,27 +23,40 @@ pub(crate) struct Physics {
 pub(super) fn physics(node: &mut Node<'_>) -> Physics {
     node.table(|fields| Physics {
         density: fields.or("density", "'continuity'", "How density is found.", |node| {
-            let names = [("continuity", DensityForm::Continuity), ("summation", DensityForm::Summation)];
+            let names = [
+                ("continuity", DensityForm::Continuity),
+                ("summation", DensityForm::Summation),
+            ];
             node.name_of("density form", &names)
         }),
-        pressure: fields.or("pressure", "'over-density-squared'", "Form of the pressure gradient.", |node| {
-            let names = [
-                ("over-density-squared", PressureForm::OverDensitySquared),
-                ("over-density-product", PressureForm::OverDensityProduct),
-                ("hu-adams", PressureForm::HuAdams),
-            ];
-            node.name_of("pressure form", &names)
-        }),
-        artificial_viscosity: fields.or("artificial_viscosity", "0.1", "alpha of the artificial viscosity.", |node| {
-            node.number(Sign::NotNegative)
-        }),
+        pressure: fields.or(
+            "pressure",
+            "'over-density-squared'",
+            "Form of the pressure gradient.",
+            |node| {
+                let names = [
+                    ("over-density-squared", PressureForm::OverDensitySquared),
+                    ("over-density-product", PressureForm::OverDensityProduct),
+                    ("hu-adams", PressureForm::HuAdams),
+                ];
+                node.name_of("pressure form", &names)
+            },
+        ),
+        artificial_viscosity: fields.or(
+            "artificial_viscosity",
+            "0.1",
+            "alpha of the artificial viscosity.",
+            |node| node.number(Sign::NotNegative),
+        ),
         viscosity: fields.or(
             "viscosity",
             "'monaghan-cleary'",
             "Form of the viscous force, where a fluid has viscosity.",
             |node| {
-                let names =
-                    [("monaghan-cleary", ViscosityForm::MonaghanCleary), ("morris", ViscosityForm::Morris)];
+                let names = [
+                    ("monaghan-cleary", ViscosityForm::MonaghanCleary),
+                    ("morris", ViscosityForm::Morris),
+                ];
                 node.name_of("viscosity form", &names)
             },
         ),
@@ -62,16 +77,24 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
                 )
             },
         ),
-        damping: fields.or("damping", "'0 /s'", "Rate of a drag that brings a flow to rest.", |node| {
-            node.quantity(&units::RATE, Sign::NotNegative)
-        }),
-        time_step: fields.or("time_step", "'adaptive'", "\"adaptive\", or a fixed time step.", |node| {
-            node.either(
-                node.is_quantity(),
-                |node| TimeStep::Fixed(node.quantity(&units::TIME, Sign::Positive)),
-                |node| node.choice("time step", TIME_STEP),
-            )
-        }),
+        damping: fields.or(
+            "damping",
+            "'0 /s'",
+            "Rate of a drag that brings a flow to rest.",
+            |node| node.quantity(&units::RATE, Sign::NotNegative),
+        ),
+        time_step: fields.or(
+            "time_step",
+            "'adaptive'",
+            "\"adaptive\", or a fixed time step.",
+            |node| {
+                node.either(
+                    node.is_quantity(),
+                    |node| TimeStep::Fixed(node.quantity(&units::TIME, Sign::Positive)),
+                    |node| node.choice("time step", TIME_STEP),
+                )
+            },
+        ),
     })
 }
 
@@ -86,40 +109,62 @@ const SURFACE_TENSION: &[Choice<Option<SurfaceTension>>] = &[
 
 fn jancik_hyhlik(node: &mut Node<'_>) -> JancikHyhlik {
     node.table(|fields| JancikHyhlik {
-        slope: fields.or("slope", "2.0", "a of their eq. 8.", |node| node.number(Sign::Positive)),
-        power: fields.or("power", "4", "b of their eq. 8.", |node| node.whole(1..=16) as u32),
-        threshold: fields.or("threshold", "0.01", "Normals shorter than this over h count as none.", |node| {
-            node.number(Sign::NotNegative)
+        slope: fields.or("slope", "2.0", "a of their eq. 8.", |node| {
+            node.number(Sign::Positive)
         }),
+        power: fields.or("power", "4", "b of their eq. 8.", |node| {
+            node.whole(1..=16) as u32
+        }),
+        threshold: fields.or(
+            "threshold",
+            "0.01",
+            "Normals shorter than this over h count as none.",
+            |node| node.number(Sign::NotNegative),
+        ),
     })
 }
 
 const BODY_FORCE: &[Choice<BodyForce>] = &[
-    Choice::new("oscillating", "mean + amplitude sin(2 pi frequency t + phase)", |node| {
-        let dimension = node.context.dimension.get().unwrap_or(2);
-        let zero = format!("[{}]", vec!["'0 m/s^2'"; dimension].join(", "));
-        node.table(|fields| BodyForce::Oscillating {
-            mean: fields.or("mean", &zero, "The constant part.", |node| node.vector(&units::ACCELERATION, Sign::Any)),
-            amplitude: fields.required("amplitude", "The oscillating part.", |node| {
-                node.vector(&units::ACCELERATION, Sign::Any)
-            }),
-            frequency: fields.required("frequency", "Oscillations per second.", |node| {
-                node.quantity(&units::RATE, Sign::Positive)
-            }),
-            phase: fields.or("phase", "'0 deg'", "Phase at the start.", |node| node.quantity(&units::ANGLE, Sign::Any)),
-        })
-    }),
+    Choice::new(
+        "oscillating",
+        "mean + amplitude sin(2 pi frequency t + phase)",
+        |node| {
+            let dimension = node.context.dimension.get().unwrap_or(2);
+            let zero = format!("[{}]", vec!["'0 m/s^2'"; dimension].join(", "));
+            node.table(|fields| BodyForce::Oscillating {
+                mean: fields.or("mean", &zero, "The constant part.", |node| {
+                    node.vector(&units::ACCELERATION, Sign::Any)
+                }),
+                amplitude: fields.required("amplitude", "The oscillating part.", |node| {
+                    node.vector(&units::ACCELERATION, Sign::Any)
+                }),
+                frequency: fields.required("frequency", "Oscillations per second.", |node| {
+                    node.quantity(&units::RATE, Sign::Positive)
+                }),
+                phase: fields.or("phase", "'0 deg'", "Phase at the start.", |node| {
+                    node.quantity(&units::ANGLE, Sign::Any)
+                }),
+            })
+        },
+    ),
     Choice::new("table", "Straight lines between given times.", |node| {
         let rows = node.list(1, |node| {
             node.table(|fields| {
-                let time = fields.required("time", "When.", |node| node.quantity(&units::TIME, Sign::Any));
-                let acceleration = fields
-                    .required("acceleration", "How much.", |node| node.vector(&units::ACCELERATION, Sign::Any));
+                let time = fields.required("time", "When.", |node| {
+                    node.quantity(&units::TIME, Sign::Any)
+                });
+                let acceleration = fields.required("acceleration", "How much.", |node| {
+                    node.vector(&units::ACCELERATION, Sign::Any)
+                });
                 (time, acceleration)
             })
         });
         if rows.windows(2).any(|pair| pair[1].0 <= pair[0].0) {
-            node.fail("times of a table must increase".into(), "a time is not after the one before it", "sort the rows");
+            node.fail(
+                "times of a table must increase".into(),
+                "a time is not after the one before it",
+                "sort the rows",
+            );
         }
         BodyForce::Table(rows)
     }),
@@ -130,13 +175,22 @@ const TIME_STEP: &[Choice<TimeStep>] = &[Choice::new(
     "The shortest of the acoustic, force, viscous and capillary limits.",
     |node| {
         node.table(|fields| TimeStep::Adaptive {
-            safety: fields.or("safety", "1.0", "Factor on all limits, at most 1.", |node| {
-                let safety = node.number(Sign::Positive);
-                if safety > 1.0 {
-                    node.fail(format!("`safety` is {safety}"), "more than 1", "a step above its limits is unstable");
-                }
-                safety
-            }),
+            safety: fields.or(
+                "safety",
+                "1.0",
+                "Factor on all limits, at most 1.",
+                |node| {
+                    let safety = node.number(Sign::Positive);
+                    if safety > 1.0 {
+                        node.fail(
+                            format!("`safety` is {safety}"),
+                            "more than 1",
+                            "a step above its limits is unstable",
+                        );
+                    }
+                    safety
+                },
+            ),
         })
     },
 )];

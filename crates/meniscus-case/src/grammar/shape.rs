@@ -10,19 +10,39 @@ pub(super) fn shape<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
     node.choice(
         "shape",
         &[
-            Choice::new("block", "A rectangle, in 3D a cuboid, with sides along the axes.", block),
+            Choice::new(
+                "block",
+                "A rectangle, in 3D a cuboid, with sides along the axes.",
+                block,
+            ),
             Choice::new("disc", "A disc.", ball).only_in(2),
             Choice::new("sphere", "A ball.", ball).only_in(3),
             Choice::new("ellipse", "An ellipse.", ellipsoid).only_in(2),
             Choice::new("ellipsoid", "An ellipsoid.", ellipsoid).only_in(3),
             Choice::new("polygon", "A polygon.", polygon).only_in(2),
-            Choice::new("cylinder", "A cylinder with flat ends; in 2D a rectangle at any angle.", cylinder),
-            Choice::new("half_space", "All on one side of a line, in 3D of a plane: to cut others with.", half_space),
-            Choice::new("union", "What is in any of a list of shapes.", |node| Shape::Union(node.list(1, shape))),
-            Choice::new("intersection", "What is in all of a list of shapes.", |node| {
-                Shape::Intersection(node.list(1, shape))
+            Choice::new(
+                "cylinder",
+                "A cylinder with flat ends; in 2D a rectangle at any angle.",
+                cylinder,
+            ),
+            Choice::new(
+                "half_space",
+                "All on one side of a line, in 3D of a plane: to cut others with.",
+                half_space,
+            ),
+            Choice::new("union", "What is in any of a list of shapes.", |node| {
+                Shape::Union(node.list(1, shape))
             }),
-            Choice::new("difference", "What is in the first of a list of shapes and in none of the others.", difference),
+            Choice::new(
+                "intersection",
+                "What is in all of a list of shapes.",
+                |node| Shape::Intersection(node.list(1, shape)),
+            ),
+            Choice::new(
+                "difference",
+                "What is in the first of a list of shapes and in none of the others.",
+                difference,
+            ),
         ],
     )
 }
@@ -55,20 +75,32 @@ fn ball<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
 
 fn ellipsoid<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
     node.table(|fields| {
-        let semi_axes = fields.required("semi_axes", "Half the length along x, y (and z), before it is turned.", |node| {
-            Vector::from_3d(node.vector(&units::LENGTH, Sign::Positive))
-        });
+        let semi_axes = fields.required(
+            "semi_axes",
+            "Half the length along x, y (and z), before it is turned.",
+            |node| Vector::from_3d(node.vector(&units::LENGTH, Sign::Positive)),
+        );
         let centre = centre(fields);
         let rotation = rotation(fields, "How it is turned about its centre.");
-        Shape::Ellipsoid { centre, semi_axes, rotation }
+        Shape::Ellipsoid {
+            centre,
+            semi_axes,
+            rotation,
+        }
     })
 }
 
 fn polygon<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
     node.table(|fields| {
-        let corners = fields.required("corners", "The corners in order; the last is joined to the first.", |node| {
-            node.list(3, |node| Vector::from_3d(node.vector(&units::LENGTH, Sign::Any)))
-        });
+        let corners = fields.required(
+            "corners",
+            "The corners in order; the last is joined to the first.",
+            |node| {
+                node.list(3, |node| {
+                    Vector::from_3d(node.vector(&units::LENGTH, Sign::Any))
+                })
+            },
+        );
         Shape::Polygon(corners)
     })
 }
@@ -100,22 +132,36 @@ fn difference<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
     }
 }
 
-fn point<const D: usize>(fields: &mut Fields<'_, '_>, key: &'static str, about: &str) -> Vector<f64, D> {
-    fields.required(key, about, |node| Vector::from_3d(node.vector(&units::LENGTH, Sign::Any)))
+fn point<const D: usize>(
+    fields: &mut Fields<'_, '_>,
+    key: &'static str,
+    about: &str,
+) -> Vector<f64, D> {
+    fields.required(key, about, |node| {
+        Vector::from_3d(node.vector(&units::LENGTH, Sign::Any))
+    })
 }
 
 fn centre<const D: usize>(fields: &mut Fields<'_, '_>) -> Vector<f64, D> {
     let origin = format!("[{}]", ["'0 m'"; D].join(", "));
-    fields.or("centre", &origin, "The centre.", |node| Vector::from_3d(node.vector(&units::LENGTH, Sign::Any)))
+    fields.or("centre", &origin, "The centre.", |node| {
+        Vector::from_3d(node.vector(&units::LENGTH, Sign::Any))
+    })
 }
 
 fn radius(fields: &mut Fields<'_, '_>) -> f64 {
-    fields.required("radius", "The radius.", |node| node.quantity(&units::LENGTH, Sign::Positive))
+    fields.required("radius", "The radius.", |node| {
+        node.quantity(&units::LENGTH, Sign::Positive)
+    })
 }
 
 /// An angle, or in 3D an axis and an angle.
 pub(super) fn rotation<const D: usize>(fields: &mut Fields<'_, '_>, about: &str) -> Rotation<D> {
-    let default = if D == 2 { "'0 deg'" } else { "{ axis = [0, 0, 1], angle = '0 deg' }" };
+    let default = if D == 2 {
+        "'0 deg'"
+    } else {
+        "{ axis = [0, 0, 1], angle = '0 deg' }"
+    };
     fields.or("rotation", default, about, |node| {
         let (axis, angle) = node.either(
             D == 2,
@@ -123,8 +169,11 @@ pub(super) fn rotation<const D: usize>(fields: &mut Fields<'_, '_>, about: &str)
             |node| {
                 node.table(|fields| {
                     let about = "The axis, of any length; turned by the right hand.";
-                    let axis = fields.required("axis", about, |node| node.vector(&units::NUMBER, Sign::Any));
-                    let angle = fields.required("angle", "The angle.", |node| node.quantity(&units::ANGLE, Sign::Any));
+                    let axis = fields
+                        .required("axis", about, |node| node.vector(&units::NUMBER, Sign::Any));
+                    let angle = fields.required("angle", "The angle.", |node| {
+                        node.quantity(&units::ANGLE, Sign::Any)
+                    });
                     (axis, angle)
                 })
             },

@@ -18,8 +18,17 @@ pub(crate) struct Choice<T> {
 }
 
 impl<T> Choice<T> {
-    pub(crate) const fn new(name: &'static str, about: &'static str, read: fn(&mut Node<'_>) -> T) -> Self {
-        Choice { name, about, dimension: None, read }
+    pub(crate) const fn new(
+        name: &'static str,
+        about: &'static str,
+        read: fn(&mut Node<'_>) -> T,
+    ) -> Self {
+        Choice {
+            name,
+            about,
+            dimension: None,
+            read,
+        }
     }
 
     /// The same, for flows in this many dimensions only.
@@ -39,26 +48,52 @@ impl<'n> Node<'n> {
             self.describe(what, choices);
         }
         let dimension = self.context.dimension.get();
-        let fits = |choice: &Choice<T>| choice.dimension.is_none() || choice.dimension == dimension || dimension.is_none();
+        let fits = |choice: &Choice<T>| {
+            choice.dimension.is_none() || choice.dimension == dimension || dimension.is_none()
+        };
         if let Some(first) = choices.iter().find(|choice| fits(choice)) {
             let mut child = self.child(first.name, Input::Unknown);
             (first.read)(&mut child);
-            self.example =
-                if needs_fields(&child) { format!("{{ {} = {} }}", first.name, child.example) } else { format!("\"{}\"", first.name) };
+            self.example = if needs_fields(&child) {
+                format!("{{ {} = {} }}", first.name, child.example)
+            } else {
+                format!("\"{}\"", first.name)
+            };
         }
 
-        let names = || choices.iter().filter(|choice| fits(choice)).map(|choice| choice.name);
-        let all = names().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
+        let names = || {
+            choices
+                .iter()
+                .filter(|choice| fits(choice))
+                .map(|choice| choice.name)
+        };
+        let all = names()
+            .map(|name| format!("\"{name}\""))
+            .collect::<Vec<_>>()
+            .join(", ");
         let (written, span, input) = match self.input {
             Input::Value(DeValue::String(text)) => (text.as_ref(), self.span(), Input::Named),
             Input::Value(DeValue::Table(table)) if table.len() == 1 => {
-                let Some((key, value)) = table.iter().next() else { return self.nothing(choices) };
-                (key.get_ref().as_ref(), key.span(), Input::Value(value.get_ref()))
+                let Some((key, value)) = table.iter().next() else {
+                    return self.nothing(choices);
+                };
+                (
+                    key.get_ref().as_ref(),
+                    key.span(),
+                    Input::Value(value.get_ref()),
+                )
             }
             Input::Unknown => return self.nothing(choices),
             _ => {
-                let label = format!("write one name, or {{ name = {{ ... }} }}, such as {}", self.example);
-                self.fail(format!("`{}` must be one {what}", self.name), label, format!("one of {all}"));
+                let label = format!(
+                    "write one name, or {{ name = {{ ... }} }}, such as {}",
+                    self.example
+                );
+                self.fail(
+                    format!("`{}` must be one {what}", self.name),
+                    label,
+                    format!("one of {all}"),
+                );
                 return self.nothing(choices);
             }
         };
@@ -67,7 +102,12 @@ impl<'n> Node<'n> {
                 Some(name) => format!("did you mean \"{name}\"? One of {all}"),
                 None => format!("one of {all}"),
             };
-            self.context.error(span, format!("unknown {what} \"{written}\""), format!("no {what} has this name"), Some(help));
+            self.context.error(
+                span,
+                format!("unknown {what} \"{written}\""),
+                format!("no {what} has this name"),
+                Some(help),
+            );
             return self.nothing(choices);
         };
         if !fits(choice) {
@@ -96,8 +136,15 @@ impl<'n> Node<'n> {
     }
 
     /// One of several names that say all.
-    pub(crate) fn name_of<T: Copy>(&mut self, what: &'static str, names: &[(&'static str, T)]) -> T {
-        let all = names.iter().map(|(name, _)| format!("\"{name}\"")).collect::<Vec<_>>();
+    pub(crate) fn name_of<T: Copy>(
+        &mut self,
+        what: &'static str,
+        names: &[(&'static str, T)],
+    ) -> T {
+        let all = names
+            .iter()
+            .map(|(name, _)| format!("\"{name}\""))
+            .collect::<Vec<_>>();
         self.schema = json!({ "enum": names.iter().map(|(name, _)| *name).collect::<Vec<_>>() });
         self.example = all[0].clone();
         let first = names[0].1;
@@ -105,7 +152,11 @@ impl<'n> Node<'n> {
             Input::Value(DeValue::String(text)) => text,
             Input::Unknown => return first,
             _ => {
-                self.fail(format!("`{}` must be one {what}", self.name), "not a name", format!("one of {}", all.join(", ")));
+                self.fail(
+                    format!("`{}` must be one {what}", self.name),
+                    "not a name",
+                    format!("one of {}", all.join(", ")),
+                );
                 return first;
             }
         };
@@ -117,7 +168,11 @@ impl<'n> Node<'n> {
             Some(name) => format!("did you mean \"{name}\"? One of {}", all.join(", ")),
             None => format!("one of {}", all.join(", ")),
         };
-        self.fail(format!("unknown {what} \"{written}\""), format!("no {what} has this name"), help);
+        self.fail(
+            format!("unknown {what} \"{written}\""),
+            format!("no {what} has this name"),
+            help,
+        );
         first
     }
 
@@ -136,7 +191,10 @@ impl<'n> Node<'n> {
             return;
         }
         // Kept before it is known, for choices that hold themselves.
-        self.context.definitions.borrow_mut().insert(what.into(), json!({}));
+        self.context
+            .definitions
+            .borrow_mut()
+            .insert(what.into(), json!({}));
         let mut any_of = Vec::new();
         for choice in choices {
             let mut child = self.child(choice.name, Input::Unknown);
@@ -152,13 +210,19 @@ impl<'n> Node<'n> {
                 "description": choice.about,
             }));
         }
-        self.context.definitions.borrow_mut().insert(what.into(), json!({ "anyOf": any_of }));
+        self.context
+            .definitions
+            .borrow_mut()
+            .insert(what.into(), json!({ "anyOf": any_of }));
     }
 }
 
 /// Whether the name alone does not say enough.
 fn needs_fields(node: &Node<'_>) -> bool {
-    node.schema["type"] != "object" || node.schema["required"].as_array().is_some_and(|r| !r.is_empty())
+    node.schema["type"] != "object"
+        || node.schema["required"]
+            .as_array()
+            .is_some_and(|r| !r.is_empty())
 }
 
 /// Names that others use for what has one name here.

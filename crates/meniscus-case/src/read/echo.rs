@@ -55,8 +55,10 @@ impl Echo {
             }
             Echo::Table(entries) if entries.is_empty() => "{}".into(),
             Echo::Table(entries) => {
-                let entries: Vec<String> =
-                    entries.iter().map(|(name, value)| format!("{} = {}", key(name), value.inline())).collect();
+                let entries: Vec<String> = entries
+                    .iter()
+                    .map(|(name, value)| format!("{} = {}", key(name), value.inline()))
+                    .collect();
                 format!("{{ {} }}", entries.join(", "))
             }
         }
@@ -65,7 +67,9 @@ impl Echo {
     /// The whole document: plain values first, then a section per table.
     pub(crate) fn document(&self) -> String {
         let mut out = String::new();
-        let Echo::Table(entries) = self else { return out };
+        let Echo::Table(entries) = self else {
+            return out;
+        };
         let tables = |value: &Echo| matches!(value, Echo::Table(_));
         let sections = |value: &Echo| match value {
             Echo::Table(_) => true,
@@ -78,9 +82,13 @@ impl Echo {
         for (name, value) in entries.iter().filter(|(_, value)| sections(value)) {
             match value {
                 Echo::List(items) => {
-                    items.iter().for_each(|item| section(&mut out, &format!("[[{}]]", key(name)), item));
+                    items
+                        .iter()
+                        .for_each(|item| section(&mut out, &format!("[[{}]]", key(name)), item));
                 }
-                Echo::Table(children) if !children.is_empty() && children.iter().all(|c| tables(&c.1)) => {
+                Echo::Table(children)
+                    if !children.is_empty() && children.iter().all(|c| tables(&c.1)) =>
+                {
                     for (child, item) in children {
                         section(&mut out, &format!("[{}.{}]", key(name), key(child)), item);
                     }
@@ -101,7 +109,10 @@ fn section(out: &mut String, title: &str, table: &Echo) {
 }
 
 fn key(name: &str) -> String {
-    let bare = !name.is_empty() && name.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');
+    let bare = !name.is_empty()
+        && name
+            .bytes()
+            .all(|b| b.is_ascii_alphanumeric() || b == b'_' || b == b'-');
     match Echo::text(name) {
         Echo::Leaf(quoted) if !bare => quoted,
         _ => name.into(),

@@ -23,12 +23,30 @@ pub(crate) struct Fields<'f, 'n> {
 }
 
 impl<'f, 'n> Fields<'f, 'n> {
-    pub(super) fn new(node: &'f mut Node<'n>, entries: Option<&'n DeTable<'n>>, given: bool) -> Self {
-        Fields { node, entries, given, properties: Map::new(), required: Vec::new(), examples: Vec::new(), missing: Vec::new(), echo: Vec::new() }
+    pub(super) fn new(
+        node: &'f mut Node<'n>,
+        entries: Option<&'n DeTable<'n>>,
+        given: bool,
+    ) -> Self {
+        Fields {
+            node,
+            entries,
+            given,
+            properties: Map::new(),
+            required: Vec::new(),
+            examples: Vec::new(),
+            missing: Vec::new(),
+            echo: Vec::new(),
+        }
     }
 
     fn entry(&self, key: &str) -> Option<&'n Spanned<DeValue<'n>>> {
-        Some(self.entries?.iter().find(|(name, _)| name.get_ref() == key)?.1)
+        Some(
+            self.entries?
+                .iter()
+                .find(|(name, _)| name.get_ref() == key)?
+                .1,
+        )
     }
 
     /// Whether the file holds the key.
@@ -82,7 +100,8 @@ impl<'f, 'n> Fields<'f, 'n> {
             value
         });
         if self.given && !self.has(key) {
-            self.missing.push((key, format!("{about} For example {key} = {example}")));
+            self.missing
+                .push((key, format!("{about} For example {key} = {example}")));
         }
         self.examples.push(format!("{key} = {example}"));
         value
@@ -120,9 +139,12 @@ impl<'f, 'n> Fields<'f, 'n> {
         let default = DeValue::parse(default).map(Spanned::into_inner).ok();
         let describing = self.node.context.describing;
         let node = match &default {
-            Some(default) if self.given && !self.has(key) => {
-                Node::new(self.node.context, key, Input::Value(default), self.node.span())
-            }
+            Some(default) if self.given && !self.has(key) => Node::new(
+                self.node.context,
+                key,
+                Input::Value(default),
+                self.node.span(),
+            ),
             _ => self.child(key),
         };
         let value = self.read(node, key, about, read);
@@ -145,8 +167,19 @@ impl<'f, 'n> Fields<'f, 'n> {
             self.unknown_key(key);
         }
         for (key, help) in &self.missing {
-            // A misspelt key has been answered already.
-            if unknown.iter().all(|written| self.meant(written.get_ref()) != Some(*key)) {
+            // A misspelt or misplaced key has been answered already.
+            let misspelt = unknown
+                .iter()
+                .any(|written| self.meant(written.get_ref()) == Some(*key));
+            let misplaced = self.node.is_root()
+                && self
+                    .node
+                    .context
+                    .misplaced
+                    .borrow()
+                    .iter()
+                    .any(|m| m == key);
+            if !misspelt && !misplaced {
                 let message = format!("`{}` needs `{key}`", self.node.name);
                 self.node.fail(message, format!("`{key}` is missing"), help);
             }
@@ -171,34 +204,53 @@ impl<'f, 'n> Fields<'f, 'n> {
         let known: Vec<&str> = self.properties.keys().map(String::as_str).collect();
         let help = match self.meant(written) {
             Some(name) => format!("did you mean `{name}`?"),
-            None => match place_of(written) {
-                Some(place) => format!("`{written}` belongs {place}"),
+            None => match place_of(written, &self.node.name) {
+                Some(place) => {
+                    self.node
+                        .context
+                        .misplaced
+                        .borrow_mut()
+                        .push(written.to_string());
+                    format!("`{written}` belongs {place}")
+                }
                 None if known.is_empty() => "nothing more can be given here".into(),
                 None => format!("known here: {}", known.join(", ")),
             },
         };
         let label = format!("not a key of `{}`", self.node.name);
-        self.node.context.error(key.span(), format!("unknown key `{written}`"), label, Some(help));
+        self.node.context.error(
+            key.span(),
+            format!("unknown key `{written}`"),
+            label,
+            Some(help),
+        );
     }
 }
 
-/// Where in a case file a key belongs: at the top, or in one of the sections.
-fn place_of(key: &str) -> Option<String> {
+/// Where in a case file a key belongs, if not `here`: at the top, or in one of the sections.
+fn place_of(key: &str, here: &str) -> Option<String> {
     let schema = crate::schema();
     let top = schema["properties"].as_object()?;
     if top.contains_key(key) {
         return Some("at the top of the file, before the first [section]".into());
     }
-    top.iter().find_map(|(section, part)| {
-        let (title, table) = match part["type"].as_str()? {
-            "array" => (format!("in [[{section}]]"), &part["items"]),
-            _ if part["additionalProperties"].is_object() => {
-                (format!("in [{section}.NAME]"), &part["additionalProperties"])
-            }
-            _ => (format!("in [{section}]"), part),
-        };
-        table["properties"].as_object()?.contains_key(key).then_some(title)
-    })
+    let here = here.split('.').next()?;
+    top.iter()
+        .filter(|(section, _)| *section != here)
+        .find_map(|(section, part)| {
+            let (title, table) = match part["type"].as_str()? {
+                "array" => (format!("in [[{section}]]"), &part["items"]),
+                _ if part["additionalProperties"].is_object() => (
+                    format!("in [{section}.NAME]"),
+                    &part["additionalProperties"],
+                ),
+                _ => (format!("in [{section}]"), part),
+            };
+            table["properties"]
+                .as_object()?
+                .contains_key(key)
+                .then_some(title)
+        })
 }
 
 /// A default as JSON.
@@ -211,7 +263,10 @@ fn to_json(value: &DeValue<'_>) -> Value {
         DeValue::Datetime(date) => json!(date.to_string()),
         DeValue::Array(array) => array.iter().map(|item| to_json(item.get_ref())).collect(),
         DeValue::Table(table) => Value::Object(
-            table.iter().map(|(key, value)| (key.get_ref().to_string(), to_json(value.get_ref()))).collect(),
+            table
+                .iter()
+                .map(|(key, value)| (key.get_ref().to_string(), to_json(value.get_ref())))
+                .collect(),
         ),
     }
 }

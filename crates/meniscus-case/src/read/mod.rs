@@ -7,7 +7,8 @@
 //! schema. So a key is spelt once, and the schema cannot disagree with the
 //! reader.
 //!
-//! - `node`: a place in the tree, and the plain values that it may hold
+//! - `node`: a place in the tree; texts, whole numbers, lists and tables
+//! - `quantity`: numbers with their units, and vectors of them
 //! - `fields`: a table with known keys
 //! - `choice`: one of several names, each with fields of its own
 //! - `echo`: the tree as resolved, written as TOML
@@ -16,8 +17,10 @@ mod choice;
 mod echo;
 mod fields;
 mod node;
+mod quantity;
 
 pub(crate) use choice::Choice;
 pub(crate) use echo::Echo;
 pub(crate) use fields::Fields;
-pub(crate) use node::{Context, Node, Sign};
+pub(crate) use node::{Context, Node};
+pub(crate) use quantity::Sign;

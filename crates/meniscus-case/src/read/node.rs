@@ -10,7 +10,9 @@ use toml::de::DeValue;
 use super::echo::Echo;
 use super::fields::Fields;
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::units::{self, Kind, QuantityError};
+
+/// What messages call the whole document.
+const ROOT: &str = "case";
 
 /// What all nodes of a walk share.
 #[derive(Default)]
@@ -22,15 +24,29 @@ pub(crate) struct Context {
     pub spacing: Cell<Option<f64>>,
     /// Dimensions of space; none where the file's is wrong.
     pub dimension: Cell<Option<usize>>,
+    /// Keys that were found in another section than their own.
+    pub misplaced: RefCell<Vec<String>>,
     /// Parts of the schema that others refer to.
     pub definitions: RefCell<Map<String, Value>>,
 }
 
 impl Context {
-    pub(crate) fn error(&self, span: Range<usize>, message: String, label: String, help: Option<String>) {
+    pub(crate) fn error(
+        &self,
+        span: Range<usize>,
+        message: String,
+        label: String,
+        help: Option<String>,
+    ) {
         let span = Some(span);
         let severity = Severity::Error;
-        self.diagnostics.borrow_mut().push(Diagnostic { severity, message, label, help, span });
+        self.diagnostics.borrow_mut().push(Diagnostic {
+            severity,
+            message,
+            label,
+            help,
+            span,
+        });
     }
 }
 
@@ -42,14 +58,6 @@ pub(super) enum Input<'n> {
     /// A choice was named without anything more.
     Named,
     Value(&'n DeValue<'n>),
-}
-
-/// Which values a number may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sign {
-    Any,
-    Positive,
-    NotNegative,
 }
 
 /// A place in the tree.
@@ -68,15 +76,43 @@ pub(crate) struct Node<'n> {
 }
 
 impl<'n> Node<'n> {
-    pub(super) fn new(context: &'n Context, name: &str, input: Input<'n>, span: Range<usize>) -> Self {
+    pub(super) fn new(
+        context: &'n Context,
+        name: &str,
+        input: Input<'n>,
+        span: Range<usize>,
+    ) -> Self {
         let name = name.into();
-        Node { context, name, input, span, echo: Echo::Nothing, schema: json!({}), example: String::new() }
+        Node {
+            context,
+            name,
+            input,
+            span,
+            echo: Echo::Nothing,
+            schema: json!({}),
+            example: String::new(),
+        }
     }
 
     /// The whole document.
-    pub(crate) fn root(context: &'n Context, document: Option<&'n Spanned<DeValue<'n>>>) -> Self {
-        let input = document.map_or(Input::Unknown, |document| Input::Value(document.get_ref()));
-        Node::new(context, "case", input, 0..0)
+    pub(crate) fn root(context: &'n Context, document: Option<&'n DeValue<'n>>) -> Self {
+        // What is missing at the top is missing beside the first key.
+        let first = document.and_then(DeValue::as_table).and_then(|table| {
+            table
+                .keys()
+                .map(Spanned::span)
+                .min_by_key(|span| span.start)
+        });
+        Node::new(
+            context,
+            ROOT,
+            document.map_or(Input::Unknown, Input::Value),
+            first.unwrap_or(0..0),
+        )
+    }
+
+    pub(super) fn is_root(&self) -> bool {
+        self.name == ROOT
     }
 
     /// Bytes of the file.
@@ -86,7 +122,8 @@ impl<'n> Node<'n> {
 
     /// Notes what is wrong here.
     pub(crate) fn fail(&self, message: String, label: impl Into<String>, help: impl Into<String>) {
-        self.context.error(self.span(), message, label.into(), Some(help.into()));
+        self.context
+            .error(self.span(), message, label.into(), Some(help.into()));
     }
 
     /// Whether it holds an array.
@@ -94,13 +131,18 @@ impl<'n> Node<'n> {
         matches!(self.input, Input::Value(DeValue::Array(_)))
     }
 
+    /// Whether it holds a table.
+    pub(crate) fn is_table(&self) -> bool {
+        matches!(self.input, Input::Value(DeValue::Table(_)))
+    }
+
     /// Whether it holds a string that starts like a number, or a number.
     pub(crate) fn is_quantity(&self) -> bool {
         match self.input {
             Input::Value(DeValue::Integer(_) | DeValue::Float(_)) => true,
-            Input::Value(DeValue::String(text)) => {
-                text.trim_start().starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
-            }
+            Input::Value(DeValue::String(text)) => text
+                .trim_start()
+                .starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)),
             _ => false,
         }
     }
@@ -122,7 +164,7 @@ impl<'n> Node<'n> {
         if first { one(self) } else { other(self) }
     }
 
-    fn wrong_type(&self, wanted: &str) {
+    pub(super) fn wrong_type(&self, wanted: &str) {
         let found = match self.input {
             Input::Unknown => return,
             Input::Named => "nothing",
@@ -134,7 +176,11 @@ impl<'n> Node<'n> {
             Input::Value(DeValue::Table(_)) => "a table",
         };
         let example = format!("for example {} = {}", self.name, self.example);
-        self.fail(format!("`{}` must be {wanted}", self.name), format!("this is {found}"), example);
+        self.fail(
+            format!("`{}` must be {wanted}", self.name),
+            format!("this is {found}"),
+            example,
+        );
     }
 
     /// Any string.
@@ -177,129 +223,21 @@ impl<'n> Node<'n> {
         }
     }
 
-    /// A bare number.
-    pub(crate) fn number(&mut self, sign: Sign) -> f64 {
-        let value = self.quantity(&units::NUMBER, sign);
-        self.schema = json!({ "type": "number" });
-        bound_schema(&mut self.schema, sign);
-        value
-    }
-
-    /// A number with its unit, in SI; NaN where it is wrong.
-    pub(crate) fn quantity(&mut self, kind: &Kind, sign: Sign) -> f64 {
-        let is_number = *kind == units::NUMBER;
-        self.schema = json!({
-            "type": ["string", "number"],
-            "examples": [kind.example],
-        });
-        self.example = if is_number { kind.example.into() } else { format!("\"{}\"", kind.example) };
-        let (value, written) = match self.input {
-            Input::Value(DeValue::Integer(integer)) if integer.radix() == 10 => {
-                self.echo = Echo::Leaf(integer.to_string());
-                (integer.as_str().parse().unwrap_or(f64::NAN), integer.to_string())
-            }
-            Input::Value(DeValue::Float(float)) => {
-                self.echo = Echo::Leaf(float.to_string());
-                (float.as_str().parse().unwrap_or(f64::NAN), float.to_string())
-            }
-            Input::Value(DeValue::String(text)) if !is_number => {
-                self.echo = Echo::text(text);
-                match self.parse(text) {
-                    Ok(found) if found.dimension == kind.dimension => (found.value, text.to_string()),
-                    Ok(found) => {
-                        self.wrong_unit(kind, text, found.dimension);
-                        return f64::NAN;
-                    }
-                    Err(error) => {
-                        self.unreadable(kind, text, error);
-                        return f64::NAN;
-                    }
-                }
-            }
-            Input::Value(DeValue::String(text)) => {
-                self.fail(
-                    format!("`{}` is a bare number", self.name),
-                    format!("\"{text}\" is a string"),
-                    "write it without quotes and without a unit",
-                );
-                return f64::NAN;
-            }
-            _ => {
-                let kind = units::with_article(kind.name);
-                self.wrong_type(&if is_number { kind } else { format!("{kind} with its unit") });
-                return f64::NAN;
-            }
-        };
-        self.bounded(value, sign, &written)
-    }
-
-    fn bounded(&self, value: f64, sign: Sign, written: &str) -> f64 {
-        let right = match sign {
-            _ if !value.is_finite() => "a finite number",
-            Sign::Positive if value <= 0.0 => "more than zero",
-            Sign::NotNegative if value < 0.0 => "zero or more",
-            _ => return value,
-        };
-        let label = format!("must be {right}");
-        self.fail(format!("`{}` is {written}", self.name), label, format!("for example {}", self.example));
-        f64::NAN
-    }
-
-    fn wrong_unit(&self, kind: &Kind, text: &str, found: units::Dimension) {
-        let wanted = units::with_article(kind.name);
-        let label = if found == units::NUMBER.dimension {
-            "this has no unit".to_string()
-        } else {
-            format!("this is {}", units::name_of(found))
-        };
-        self.fail(
-            format!("`{}` must be {wanted}, found \"{text}\"", self.name),
-            label,
-            format!("write {wanted} with its unit, such as {}", self.example),
-        );
-    }
-
-    fn parse(&self, text: &str) -> Result<units::Quantity, QuantityError> {
-        // A wrong spacing has been reported where it stands.
-        units::parse(text, self.context.spacing.get().map(|dx| if dx.is_nan() { 1.0 } else { dx }))
-    }
-
-    fn would_be(&self, text: &str, kind: &Kind) -> bool {
-        self.parse(text).is_ok_and(|found| found.dimension == kind.dimension)
-    }
-
-    fn unreadable(&self, kind: &Kind, text: &str, error: QuantityError) {
-        let wanted = units::with_article(kind.name);
-        let example = format!("write {wanted} with its unit, such as {}", self.example);
-        let (label, help) = match error {
-            QuantityError::Number => ("does not start with a number".into(), example),
-            QuantityError::NotFinite => ("not a finite number".into(), example),
-            QuantityError::Unit { found, nearest } => (
-                format!("unknown unit `{found}`"),
-                nearest
-                    .filter(|nearest| self.would_be(&text.replacen(&found, nearest, 1), kind))
-                    .map_or(example, |nearest| format!("did you mean `{nearest}`?")),
-            ),
-            QuantityError::Syntax(rest) if rest.starts_with(',') => {
-                ("a decimal comma".into(), "write a decimal point".into())
-            }
-            QuantityError::Syntax(rest) => (format!("cannot read `{rest}`"), example),
-            QuantityError::Spacing => (
-                "`dx` is the spacing itself".into(),
-                "give the spacing as a length, such as \"0.05 mm\"".into(),
-            ),
-        };
-        self.fail(format!("`{}` must be {wanted}, found \"{text}\"", self.name), label, help);
-    }
-
     /// A list.
-    pub(crate) fn list<T>(&mut self, at_least: usize, mut read: impl FnMut(&mut Node<'_>) -> T) -> Vec<T> {
+    pub(crate) fn list<T>(
+        &mut self,
+        at_least: usize,
+        mut read: impl FnMut(&mut Node<'_>) -> T,
+    ) -> Vec<T> {
         let mut blank = Node::new(self.context, &self.name, Input::Unknown, self.span());
-        if self.context.describing || !self.is_list() {
+        if !self.is_list() {
             read(&mut blank);
         }
         self.schema = json!({ "type": "array", "items": blank.schema, "minItems": at_least });
-        self.example = format!("[{}]", vec![blank.example.as_str(); at_least.max(1)].join(", "));
+        self.example = format!(
+            "[{}]",
+            vec![blank.example.as_str(); at_least.max(1)].join(", ")
+        );
         let Input::Value(DeValue::Array(array)) = self.input else {
             self.wrong_type("a list");
             return Vec::new();
@@ -307,7 +245,12 @@ impl<'n> Node<'n> {
         let mut echo = Vec::new();
         let mut values = Vec::new();
         for item in array {
-            let mut node = Node::new(self.context, &self.name, Input::Value(item.get_ref()), item.span());
+            let mut node = Node::new(
+                self.context,
+                &self.name,
+                Input::Value(item.get_ref()),
+                item.span(),
+            );
             values.push(read(&mut node));
             echo.push(node.echo);
         }
@@ -322,30 +265,8 @@ impl<'n> Node<'n> {
         values
     }
 
-    /// As many quantities as space has dimensions; the rest are zero.
-    pub(crate) fn vector(&mut self, kind: &Kind, sign: Sign) -> [f64; 3] {
-        let values = self.list(0, |node| node.quantity(kind, sign));
-        let dimension = self.context.dimension.get();
-        self.schema["minItems"] = json!(2);
-        self.schema["maxItems"] = json!(3);
-        let example = if self.example.is_empty() { String::new() } else { format!("\"{}\"", kind.example) };
-        self.example = format!("[{}]", vec![example; dimension.unwrap_or(2)].join(", "));
-        let fits = dimension.map_or(2..=3, |dimension| dimension..=dimension);
-        if self.is_list() && !fits.contains(&values.len()) {
-            let plural = if values.len() == 1 { "" } else { "s" };
-            self.fail(
-                format!("`{}` has {} component{plural}", self.name, values.len()),
-                format!("this case has {} dimensions", dimension.map_or("2 or 3".into(), |d| d.to_string())),
-                format!("for example {}", self.example),
-            );
-        }
-        let rest = if values.is_empty() { f64::NAN } else { 0.0 };
-        std::array::from_fn(|d| values.get(d).copied().unwrap_or(rest))
-    }
-
     /// A table with known keys, which `read` asks for.
     pub(crate) fn table<T>(&mut self, read: impl FnOnce(&mut Fields<'_, 'n>) -> T) -> T {
-        self.example = "{ ... }".into();
         let entries = match self.input {
             Input::Value(DeValue::Table(table)) => Some(table),
             _ => None,
@@ -363,11 +284,11 @@ impl<'n> Node<'n> {
     /// A table whose keys are names that the user gives, in the file's order.
     pub(crate) fn named<T>(&mut self, mut read: impl FnMut(&str, &mut Node<'_>) -> T) -> Vec<T> {
         let mut blank = Node::new(self.context, "NAME", Input::Unknown, self.span());
-        if self.context.describing {
+        if !self.is_table() {
             read("NAME", &mut blank);
         }
         self.schema = json!({ "type": "object", "additionalProperties": blank.schema });
-        self.example = "{ ... }".into();
+        self.example = format!("{{ NAME = {} }}", blank.example);
         let Input::Value(DeValue::Table(table)) = self.input else {
             self.wrong_type("a table");
             return Vec::new();
@@ -378,19 +299,16 @@ impl<'n> Node<'n> {
         let mut values = Vec::new();
         for (key, value) in entries {
             let name = format!("{}.{}", self.name, key.get_ref());
-            let mut node = Node::new(self.context, &name, Input::Value(value.get_ref()), value.span());
+            let mut node = Node::new(
+                self.context,
+                &name,
+                Input::Value(value.get_ref()),
+                value.span(),
+            );
             values.push(read(key.get_ref(), &mut node));
             echo.push((key.get_ref().to_string(), node.echo));
         }
         self.echo = Echo::Table(echo);
         values
-    }
-}
-
-fn bound_schema(schema: &mut Value, sign: Sign) {
-    match sign {
-        Sign::Any => {}
-        Sign::Positive => schema["exclusiveMinimum"] = json!(0),
-        Sign::NotNegative => schema["minimum"] = json!(0),
     }
 }
