@@ -200,4 +200,13 @@ fn no_cut_and_no_single_wrong_character_makes_the_reader_panic() {
         }
     }
     assert!(tried > 1000, "{tried}");
+    // So deep that a reader without a limit runs out of stack.
+    for (open, close) in [("[", "]"), ("{a=", "}")] {
+        let deep = format!(
+            "spacing = {}1{}",
+            open.repeat(100_000),
+            close.repeat(100_000)
+        );
+        assert!(Case::from_str("deep.toml", &deep).is_err());
+    }
 }

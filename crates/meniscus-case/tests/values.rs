@@ -43,6 +43,26 @@ fn the_rods_of_jancik_and_hyhlik_are_those_of_the_paper() {
 }
 
 #[test]
+fn every_good_case_starts_a_simulation() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good");
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let case = Case::from_file(&entry.unwrap().path()).unwrap();
+        match case.dimension {
+            2 => assert!(
+                meniscus::Simulation::new(case.setup::<2>()).is_ok(),
+                "{}",
+                case.name
+            ),
+            _ => assert!(
+                meniscus::Simulation::new(case.setup::<3>()).is_ok(),
+                "{}",
+                case.name
+            ),
+        }
+    }
+}
+
+#[test]
 fn mass_is_density_times_volume() {
     let case = read(&format!(
         "{HEAD}[[body]]\nshape = {{ block = {{ low = [0, 0], high = ['1 mm', '2 mm'] }} }}\n"

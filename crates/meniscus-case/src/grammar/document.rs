@@ -100,6 +100,13 @@ fn smoothing_length(node: &mut Node<'_>, spacing: f64) -> f64 {
             "use at least 1 dx; 1.2 dx to 2 dx is usual",
         );
     }
+    if h > spacing * 10.0 {
+        node.fail(
+            format!("the smoothing length is {:.3} spacings", h / spacing),
+            "more than ten spacings",
+            "a particle would have thousands of neighbours: 1.2 dx to 2 dx is usual",
+        );
+    }
     h
 }
 

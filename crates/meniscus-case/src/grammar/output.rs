@@ -120,7 +120,7 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64) -> Measure {
                 })
             },
         ),
-        sensors: fields.or("sensors", "[]", "Pressure sensors.", |node| node.list(0, sensor)),
+        sensors: fields.or("sensors", "[]", "Pressure sensors.", sensors),
     })
 }
 
@@ -176,6 +176,21 @@ fn instant(
         return fields.optional(key, about, read).unwrap_or(f64::NAN);
     }
     fields.or(key, &format!("'{default} s'"), about, read)
+}
+
+fn sensors(node: &mut Node<'_>) -> Vec<Sensor> {
+    let sensors = node.list(0, sensor);
+    for (i, sensor) in sensors.iter().enumerate() {
+        if sensors[..i].iter().any(|other| other.name == sensor.name) {
+            let message = format!("two sensors are called \"{}\"", sensor.name);
+            node.fail(
+                message,
+                "a name stands twice",
+                "give each sensor a name of its own",
+            );
+        }
+    }
+    sensors
 }
 
 fn sensor(node: &mut Node<'_>) -> Sensor {

@@ -30,7 +30,12 @@ fn smallest_distance<const D: usize>(positions: &[Vector<f64, D>]) -> f64 {
 fn the_rods_of_jancik_and_hyhlik_hold_their_published_numbers_of_particles() {
     let dx = 5e-5;
     let lattice = Arrangement::new(Pattern::ClosePacked, dx);
-    let count = |major: f64, minor: f64| lattice.fill(&ellipse(major * dx, minor * dx), ROOM).unwrap().len();
+    let count = |major: f64, minor: f64| {
+        lattice
+            .fill(&ellipse(major * dx, minor * dx), ROOM)
+            .unwrap()
+            .len()
+    };
     // Section 5: N = 649, 1165, 2259 at aspect 1.25. A shape is open, so "15 dx" is just under 15.
     assert_eq!(count(15.0, 12.0), 649);
     assert_eq!(count(14.99, 11.992), 649);
@@ -202,7 +207,10 @@ fn jitter_moves_within_its_bounds_and_the_same_way_for_ever() {
         Arrangement { seed: 4, ..moved }.fill(&block, ROOM).unwrap()
     );
     // The first particle as first released: a change of the stream changes users' runs.
-    assert_eq!(b[0], Vector([0.345_380_136_822_861_84, 0.580_117_405_437_161]));
+    assert_eq!(
+        b[0],
+        Vector([0.345_380_136_822_861_84, 0.580_117_405_437_161])
+    );
 }
 
 #[test]
