@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::error::{OutputError, Problem};
 use crate::frame::Frame;
 use crate::replace::replace_file;
-use crate::vtu;
+use crate::{vtu, vtu_read};
 
 /// The collection that ParaView opens.
 const COLLECTION: &str = "frames.pvd";
@@ -37,10 +37,7 @@ impl FrameWriter {
     /// Continues the collection after a resume at `time`, s: later frames are
     /// dropped from it and their files removed.
     pub fn resume(folder: &Path, time: f64) -> Result<Self, OutputError> {
-        let path = folder.join(COLLECTION);
-        let text =
-            fs::read_to_string(&path).map_err(OutputError::system(&path, "read the collection"))?;
-        let mut times = parse_collection(&text).map_err(|p| OutputError::new(&path, p))?;
+        let mut times = read_collection(folder)?;
         times.retain(|&t| t <= time);
         let writer = FrameWriter {
             folder: folder.to_path_buf(),
@@ -120,6 +117,44 @@ impl FrameWriter {
             }
         }
     }
+}
+
+/// Reads back the frames of a run.
+#[derive(Debug)]
+pub struct FrameReader {
+    folder: PathBuf,
+    times: Vec<f64>,
+}
+
+impl FrameReader {
+    /// The frames that the collection in `folder` lists.
+    pub fn open(folder: &Path) -> Result<Self, OutputError> {
+        Ok(FrameReader {
+            folder: folder.to_path_buf(),
+            times: read_collection(folder)?,
+        })
+    }
+
+    /// Times of the frames, s, growing.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// Reads frame `index`, from 0.
+    pub fn read(&self, index: usize) -> Result<Frame, OutputError> {
+        let path = self.folder.join(frame_name(index));
+        let text =
+            fs::read_to_string(&path).map_err(OutputError::system(&path, "read the frame"))?;
+        vtu_read::read(&text).map_err(|reason| OutputError::new(&path, Problem::BadData(reason)))
+    }
+}
+
+/// Times of the frames of the collection in `folder`, s.
+fn read_collection(folder: &Path) -> Result<Vec<f64>, OutputError> {
+    let path = folder.join(COLLECTION);
+    let text =
+        fs::read_to_string(&path).map_err(OutputError::system(&path, "read the collection"))?;
+    parse_collection(&text).map_err(|p| OutputError::new(&path, p))
 }
 
 fn frame_name(index: usize) -> String {

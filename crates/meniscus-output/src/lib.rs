@@ -23,9 +23,10 @@ mod replace;
 mod run_folder;
 mod series;
 mod vtu;
+mod vtu_read;
 
 pub use checkpoint::{Checkpoint, Checkpoints, Restored};
-pub use collection::FrameWriter;
+pub use collection::{FrameReader, FrameWriter};
 pub use error::{OutputError, Problem};
 pub use frame::{Field, Frame};
 pub use replace::replace_file;

@@ -29,7 +29,7 @@ impl Column {
         }
     }
 
-    fn parse(text: &str) -> Self {
+    pub(crate) fn parse(text: &str) -> Self {
         match text.strip_suffix(']').and_then(|t| t.rsplit_once(" [")) {
             Some((name, unit)) => Column::new(name, unit),
             None => Column::new(text, ""),

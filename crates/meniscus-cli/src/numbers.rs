@@ -1,0 +1,103 @@
+//! Dimensionless numbers that apply to a case.
+
+use meniscus::scheme::BodyForce;
+use meniscus::theory;
+use meniscus_case::Case;
+
+/// A dimensionless number.
+pub struct Number {
+    /// Its symbol.
+    pub name: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// What it compares.
+    pub meaning: &'static str,
+}
+
+/// Numbers of the first body: its diameter D (of the disc or ball of equal
+/// volume), its fluid's properties, the largest speed that the case shows.
+///
+/// Where there is no laminar viscosity, that of the artificial viscosity stands in.
+pub fn of(case: &Case) -> Vec<Number> {
+    let Some(body) = case.bodies.first() else {
+        return Vec::new();
+    };
+    let fluid = &case.fluids[body.fluid];
+    let diameter = 2.0 * theory::equivalent_radius(body.volume, case.dimension);
+    let (rho, sigma) = (fluid.density, fluid.surface_tension);
+    let mu = rho * effective_viscosity(case, body.fluid);
+    let speed = case.speeds.initial;
+    let gravity = match &case.scheme.body_force {
+        Some(BodyForce::Constant(g)) => g.iter().map(|g| g * g).sum::<f64>().sqrt(),
+        _ => 0.0,
+    };
+    let mut numbers = Vec::new();
+    let mut add = |applies: bool, name, value: f64, meaning| {
+        if applies && value.is_finite() {
+            numbers.push(Number {
+                name,
+                value,
+                meaning,
+            });
+        }
+    };
+    let (tension, viscous, moving) = (sigma > 0.0, mu > 0.0, speed > 0.0);
+    add(
+        tension && viscous,
+        "La",
+        theory::laplace_number(sigma, rho, diameter, mu),
+        "sigma rho D / mu^2: surface tension and inertia against viscosity",
+    );
+    add(
+        tension && viscous,
+        "Oh",
+        theory::ohnesorge_number(sigma, rho, diameter, mu),
+        "mu / sqrt(sigma rho D): viscosity against surface tension and inertia",
+    );
+    add(
+        tension && moving,
+        "We",
+        theory::weber_number(rho, speed, diameter, sigma),
+        "rho U^2 D / sigma: inertia against surface tension",
+    );
+    add(
+        viscous && moving,
+        "Re",
+        theory::reynolds_number(rho, speed, diameter, mu),
+        "rho U D / mu: inertia against viscosity",
+    );
+    add(
+        tension && gravity > 0.0,
+        "Bo",
+        theory::bond_number(rho, gravity, diameter, sigma),
+        "rho g D^2 / sigma: gravity against surface tension",
+    );
+    add(
+        case.speeds.largest() > 0.0,
+        "Ma",
+        case.speeds.largest() / fluid.sound_speed,
+        "largest expected speed over the numerical speed of sound",
+    );
+    numbers
+}
+
+/// Kinematic viscosity of a fluid, laminar and artificial together, m^2/s.
+pub fn effective_viscosity(case: &Case, fluid: usize) -> f64 {
+    let fluid = &case.fluids[fluid];
+    let artificial = theory::artificial_kinematic_viscosity(
+        case.scheme.artificial_viscosity,
+        fluid.sound_speed,
+        case.scheme.smoothing_length,
+        case.dimension,
+    );
+    artificial + fluid.viscosity / fluid.density
+}
+
+/// Relative change of density that the case should show: (U / c)^2, with the
+/// largest speed scale U.
+pub fn expected_density_error(case: &Case) -> f64 {
+    case.fluids
+        .iter()
+        .map(|fluid| (case.speeds.largest() / fluid.sound_speed).powi(2))
+        .fold(0.0, f64::max)
+}

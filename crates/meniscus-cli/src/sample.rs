@@ -1,0 +1,218 @@
+//! What is written of a flow: the columns of the time series, and frames.
+
+use meniscus::measure::{
+    PrincipalAxes, Sensor, StaticSurfaceTension, angular_momentum, centre_of_mass, kinetic_energy,
+    linear_momentum, maximum_speed, range, semi_axes_along_coordinates, semi_axes_by_tips,
+    specific_compression_energy, surface_energy,
+};
+use meniscus::{Particles, Simulation, Vector};
+use meniscus_case::Case;
+use meniscus_output::{Column, Field, Frame};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Bodies beyond this number get no columns of their own.
+const MOST_BODIES: usize = 8;
+
+/// Decides which columns the series of a case has, and fills them.
+pub struct Sampler<'a, const D: usize> {
+    case: &'a Case,
+    sensors: Vec<Sensor<D>>,
+    /// Bodies whose shape is followed: none where the flow is periodic, since
+    /// a body may then lie on both sides of the box.
+    bodies: usize,
+}
+
+impl<'a, const D: usize> Sampler<'a, D> {
+    /// For this case, whose dimension is `D`.
+    pub fn new(case: &'a Case) -> Self {
+        let sensor = |at: [f64; 3]| Sensor {
+            position: Vector::from_3d(at),
+            kernel: case.scheme.kernel,
+            smoothing_length: case.scheme.smoothing_length,
+        };
+        let periodic = case.periodic.iter().any(Option::is_some);
+        Self {
+            case,
+            sensors: case.measure.sensors.iter().map(|s| sensor(s.at)).collect(),
+            bodies: if periodic {
+                0
+            } else {
+                case.bodies.len().min(MOST_BODIES)
+            },
+        }
+    }
+
+    /// Names and units of the columns.
+    pub fn columns(&self) -> Vec<Column> {
+        // In 2D everything is per metre of the third direction.
+        let per = |unit: &str| {
+            if D == 2 {
+                format!("{unit}/m")
+            } else {
+                unit.to_owned()
+            }
+        };
+        let mut columns = vec![
+            Column::new("time", "s"),
+            Column::new("step", ""),
+            Column::new("kinetic energy", &per("J")),
+            Column::new("compression energy", &per("J")),
+            Column::new("surface energy", &per("J")),
+        ];
+        for axis in &AXES[..D] {
+            columns.push(Column::new(&format!("momentum {axis}"), &per("kg m/s")));
+        }
+        columns.push(Column::new("angular momentum z", &per("kg m^2/s")));
+        for axis in &AXES[..D] {
+            columns.push(Column::new(&format!("centre of mass {axis}"), "m"));
+        }
+        columns.extend([
+            Column::new("least density", "kg/m^3"),
+            Column::new("largest density", "kg/m^3"),
+            Column::new("largest speed", "m/s"),
+            Column::new("surface-active particles", ""),
+        ]);
+        for body in 0..self.bodies {
+            for kind in ["semi-axis", "tip semi-axis"] {
+                for axis in &AXES[..D] {
+                    columns.push(Column::new(
+                        &self.of_body(body, &format!("{kind} {axis}")),
+                        "m",
+                    ));
+                }
+            }
+            columns.push(Column::new(&self.of_body(body, "inner pressure"), "Pa"));
+        }
+        for sensor in &self.case.measure.sensors {
+            columns.push(Column::new(&format!("pressure at {}", sensor.name), "Pa"));
+        }
+        columns
+    }
+
+    /// The name of a body's column: plain where there is only one body.
+    fn of_body(&self, body: usize, quantity: &str) -> String {
+        match self.case.bodies.len() {
+            1 => quantity.to_owned(),
+            _ => format!("{} {quantity}", self.case.bodies[body].name),
+        }
+    }
+
+    /// One row of the series; NaN where a quantity does not exist.
+    pub fn row(&self, simulation: &Simulation<D>) -> Vec<f64> {
+        let p = simulation.particles();
+        let centre = centre_of_mass(&p.position, &p.mass).unwrap_or(Vector([f64::NAN; D]));
+        let mut row = vec![
+            simulation.time(),
+            simulation.steps() as f64,
+            kinetic_energy(&p.velocity, &p.mass),
+            (0..p.len())
+                .map(|i| {
+                    let fluid = &simulation.fluids()[p.fluid[i] as usize];
+                    p.mass[i] * specific_compression_energy(p.density[i], fluid)
+                })
+                .sum(),
+            self.surface_energy(p),
+        ];
+        row.extend(linear_momentum(&p.velocity, &p.mass).0);
+        row.push(angular_momentum(&p.position, &p.velocity, &p.mass, centre)[2]);
+        row.extend(centre.0);
+        let (least, largest) = range(&p.density).unwrap_or((f64::NAN, f64::NAN));
+        row.extend([
+            least,
+            largest,
+            maximum_speed(&p.velocity),
+            simulation.surface().active() as f64,
+        ]);
+        for body in 0..self.bodies {
+            let rows = BodyColumns::of(p, body);
+            let missing = [f64::NAN; D];
+            row.extend(semi_axes_along_coordinates(&rows.position, &rows.mass).unwrap_or(missing));
+            row.extend(semi_axes_by_tips(&rows.position, self.case.spacing).unwrap_or(missing));
+            let volume = self.case.bodies[body].volume;
+            let inner =
+                StaticSurfaceTension::measure(&rows.position, &rows.mass, &rows.pressure, volume);
+            row.push(inner.map_or(f64::NAN, |inner| inner.inner_pressure));
+        }
+        for sensor in &self.sensors {
+            let reading = sensor.read(&p.position, &p.mass, &p.density, &p.pressure);
+            row.push(reading.map_or(f64::NAN, |reading| reading.value));
+        }
+        row
+    }
+
+    /// Surface tension times the surface of each body's ellipse or ellipsoid of equal moments.
+    fn surface_energy(&self, particles: &Particles<D>) -> f64 {
+        if self.bodies < self.case.bodies.len() {
+            return f64::NAN;
+        }
+        (0..self.bodies)
+            .map(|body| {
+                let rows = BodyColumns::of(particles, body);
+                let sigma = self.case.fluids[self.case.bodies[body].fluid].surface_tension;
+                PrincipalAxes::by_moments(&rows.position, &rows.mass)
+                    .map_or(f64::NAN, |axes| surface_energy(axes.semi_axes, sigma))
+            })
+            .sum()
+    }
+}
+
+/// Columns of the particles that started in one body.
+struct BodyColumns<const D: usize> {
+    position: Vec<Vector<f64, D>>,
+    mass: Vec<f64>,
+    pressure: Vec<f64>,
+}
+
+impl<const D: usize> BodyColumns<D> {
+    fn of(particles: &Particles<D>, body: usize) -> Self {
+        let mut columns = Self {
+            position: Vec::new(),
+            mass: Vec::new(),
+            pressure: Vec::new(),
+        };
+        for i in 0..particles.len() {
+            if particles.body[i] as usize == body {
+                columns.position.push(particles.position[i]);
+                columns.mass.push(particles.mass[i]);
+                columns.pressure.push(particles.pressure[i]);
+            }
+        }
+        columns
+    }
+}
+
+/// A frame of all particles, in the order of their numbers.
+pub fn frame<const D: usize>(simulation: &Simulation<D>) -> Frame {
+    let p = simulation.particles();
+    let mut order: Vec<usize> = (0..p.len()).collect();
+    order.sort_unstable_by_key(|&i| p.id[i]);
+    let scalar = |name: &str, unit: &str, value: &dyn Fn(usize) -> f64| {
+        Field::scalar(name, unit, order.iter().map(|&i| value(i)).collect())
+    };
+    let vector = |name: &str, unit: &str, column: &[Vector<f64, D>]| {
+        let values: Vec<_> = order.iter().map(|&i| column[i].to_3d()).collect();
+        Field::vector(name, unit, &values)
+    };
+    let mut fields = vec![
+        vector("velocity", "m/s", &p.velocity),
+        vector("acceleration", "m/s^2", &p.acceleration),
+        scalar("pressure", "Pa", &|i| p.pressure[i]),
+        scalar("density", "kg/m^3", &|i| p.density[i]),
+        scalar("speed", "m/s", &|i| p.velocity[i].norm()),
+        scalar("fluid", "", &|i| f64::from(p.fluid[i])),
+        scalar("body", "", &|i| f64::from(p.body[i])),
+    ];
+    let surface = simulation.surface();
+    if surface.curvature.len() == p.len() {
+        fields.push(scalar("curvature", "1/m", &|i| surface.curvature[i]));
+        fields.push(scalar("colour", "", &|i| surface.colour[i]));
+    }
+    Frame {
+        time: simulation.time(),
+        step: simulation.steps(),
+        dimension: D,
+        positions: order.iter().map(|&i| p.position[i].to_3d()).collect(),
+        fields,
+    }
+}
