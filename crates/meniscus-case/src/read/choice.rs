@@ -186,15 +186,17 @@ impl<'n> Node<'n> {
 
     /// The schema of all choices, once per kind, and a reference to it here.
     fn describe<T>(&mut self, what: &'static str, choices: &[Choice<T>]) {
+        // A reference is a URI, and takes no blanks.
+        let what = what.replace(' ', "-");
         self.schema = json!({ "$ref": format!("#/definitions/{what}") });
-        if self.context.definitions.borrow().contains_key(what) {
+        if self.context.definitions.borrow().contains_key(&what) {
             return;
         }
         // Kept before it is known, for choices that hold themselves.
         self.context
             .definitions
             .borrow_mut()
-            .insert(what.into(), json!({}));
+            .insert(what.clone(), json!({}));
         let mut any_of = Vec::new();
         for choice in choices {
             let mut child = self.child(choice.name, Input::Unknown);
@@ -213,7 +215,7 @@ impl<'n> Node<'n> {
         self.context
             .definitions
             .borrow_mut()
-            .insert(what.into(), json!({ "anyOf": any_of }));
+            .insert(what, json!({ "anyOf": any_of }));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Numbers with their units, and vectors of them.
 
-use serde_json::{Value, json};
+use serde_json::json;
 use toml::de::DeValue;
 
 use super::echo::Echo;
@@ -18,24 +18,23 @@ pub(crate) enum Sign {
 impl Node<'_> {
     /// A bare number.
     pub(crate) fn number(&mut self, sign: Sign) -> f64 {
-        let value = self.quantity(&units::NUMBER, sign);
-        self.schema = json!({ "type": "number" });
-        bound_schema(&mut self.schema, sign);
-        value
+        self.quantity(&units::NUMBER, sign)
     }
 
     /// A number with its unit, in SI; NaN where it is wrong.
     pub(crate) fn quantity(&mut self, kind: &Kind, sign: Sign) -> f64 {
         let is_number = *kind == units::NUMBER;
-        self.schema = json!({
-            "type": ["string", "number"],
-            "examples": [kind.example],
-        });
-        self.example = if is_number {
-            kind.example.into()
+        self.schema = if is_number {
+            json!({ "type": "number" })
         } else {
-            format!("\"{}\"", kind.example)
+            json!({ "type": ["string", "number"], "examples": [kind.example] })
         };
+        match sign {
+            Sign::Any => {}
+            Sign::Positive => self.schema["exclusiveMinimum"] = json!(0),
+            Sign::NotNegative => self.schema["minimum"] = json!(0),
+        }
+        self.example = example(kind);
         let (value, written) = match self.input {
             Input::Value(DeValue::Integer(integer)) if integer.radix() == 10 => {
                 self.echo = Echo::Leaf(integer.to_string());
@@ -168,12 +167,10 @@ impl Node<'_> {
         let dimension = self.context.dimension.get();
         self.schema["minItems"] = json!(2);
         self.schema["maxItems"] = json!(3);
-        let example = if self.example.is_empty() {
-            String::new()
-        } else {
-            format!("\"{}\"", kind.example)
-        };
-        self.example = format!("[{}]", vec![example; dimension.unwrap_or(2)].join(", "));
+        self.example = format!(
+            "[{}]",
+            vec![example(kind); dimension.unwrap_or(2)].join(", ")
+        );
         let fits = dimension.map_or(2..=3, |dimension| dimension..=dimension);
         if self.is_list() && !fits.contains(&values.len()) {
             let plural = if values.len() == 1 { "" } else { "s" };
@@ -191,10 +188,11 @@ impl Node<'_> {
     }
 }
 
-fn bound_schema(schema: &mut Value, sign: Sign) {
-    match sign {
-        Sign::Any => {}
-        Sign::Positive => schema["exclusiveMinimum"] = json!(0),
-        Sign::NotNegative => schema["minimum"] = json!(0),
+/// A quantity of this kind as TOML.
+fn example(kind: &Kind) -> String {
+    if *kind == units::NUMBER {
+        kind.example.into()
+    } else {
+        format!("\"{}\"", kind.example)
     }
 }
