@@ -43,6 +43,7 @@ pub(super) fn bodies(node: &mut Node<'_>, fluids: &[DraftFluid]) -> Vec<DraftBod
         count += 1;
         let dimension = node.context.dimension.get();
         if dimension.is_none() && !node.context.describing {
+            node.example = "{ shape = { block = { ... } } }".into();
             return None;
         }
         Some(match dimension {
