@@ -79,34 +79,27 @@ pub trait Real:
     ///
     /// Built from arithmetic alone, so that every machine gives the same
     /// bits: exp(-x) = (exp(-5/16) exp(-s))^16 with s = x/16 - 5/16, |s| <= 5/16,
-    /// and exp(-s) its Taylor polynomial of degree 12, the even and the odd
-    /// powers apart. The power 16 makes sixteen rounding errors of one.
+    /// and exp(-s) its Taylor polynomial of degree 12, as a tree (Estrin) so that
+    /// little waits for one another. The power 16 makes sixteen rounding errors of one.
     #[inline(always)]
     fn exp_minus(self) -> Self {
-        const fn coefficient(n: u32) -> f64 {
-            // exp(-5/16)
-            let mut c = 0.731_615_628_946_641_8;
-            let mut k = 1;
-            while k <= n {
-                c /= -(k as f64);
-                k += 1;
+        /// exp(-5/16) (-1)^n / n!
+        const C: [f64; 13] = {
+            let mut c = [0.731_615_628_946_641_8; 13];
+            let mut n = 1;
+            while n < c.len() {
+                c[n] = c[n - 1] / -(n as f64);
+                n += 1;
             }
             c
-        }
+        };
         let s = self * (1.0 / 16.0) - 5.0 / 16.0;
-        let t = s * s;
-        let even = t * const { coefficient(12) } + const { coefficient(10) };
-        let even = even * t + const { coefficient(8) };
-        let even = even * t + const { coefficient(6) };
-        let even = even * t + const { coefficient(4) };
-        let even = even * t + const { coefficient(2) };
-        let even = even * t + const { coefficient(0) };
-        let odd = t * const { coefficient(11) } + const { coefficient(9) };
-        let odd = odd * t + const { coefficient(7) };
-        let odd = odd * t + const { coefficient(5) };
-        let odd = odd * t + const { coefficient(3) };
-        let odd = odd * t + const { coefficient(1) };
-        (even + odd * s).square().square().square().square()
+        let s2 = s * s;
+        let s4 = s2 * s2;
+        let low = ((s * C[3] + C[2]) * s2 + (s * C[1] + C[0]))
+            + ((s * C[7] + C[6]) * s2 + (s * C[5] + C[4])) * s4;
+        let high = ((s * C[11] + C[10]) * s2 + (s * C[9] + C[8])) + s4 * C[12];
+        (high * (s4 * s4) + low).square().square().square().square()
     }
 }
 

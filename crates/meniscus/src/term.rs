@@ -107,11 +107,11 @@ pub struct Pair<R, const D: usize> {
     pub slope_over_distance: R,
 }
 
-/// The shape of a kernel, compiled in ([`Compiled`]) or chosen at run time
+/// The shape of a kernel, from q^2, compiled in ([`Compiled`]) or chosen at run time
 /// ([`Kernel`]: one well-predicted branch a pair, and a sixth of the code).
 pub(crate) trait Shape: Copy + Send + Sync {
-    fn shape<R: Real>(self, q: R) -> R;
-    fn slope_over_q<R: Real>(self, q: R) -> R;
+    fn shape<R: Real>(self, square: R) -> R;
+    fn slope_over_q<R: Real>(self, square: R) -> R;
 }
 
 /// A kernel known to the compiler.
@@ -120,23 +120,23 @@ pub(crate) struct Compiled<K>(pub(crate) K);
 
 impl<K: SmoothingKernel> Shape for Compiled<K> {
     #[inline(always)]
-    fn shape<R: Real>(self, q: R) -> R {
-        K::shape(q)
+    fn shape<R: Real>(self, square: R) -> R {
+        K::shape_from_square(square)
     }
     #[inline(always)]
-    fn slope_over_q<R: Real>(self, q: R) -> R {
-        K::slope_over_q(q)
+    fn slope_over_q<R: Real>(self, square: R) -> R {
+        K::slope_over_q_from_square(square)
     }
 }
 
 impl Shape for Kernel {
     #[inline(always)]
-    fn shape<R: Real>(self, q: R) -> R {
-        with_kernel!(self, K => K::shape(q))
+    fn shape<R: Real>(self, square: R) -> R {
+        with_kernel!(self, K => K::shape_from_square(square))
     }
     #[inline(always)]
-    fn slope_over_q<R: Real>(self, q: R) -> R {
-        with_kernel!(self, K => K::slope_over_q(q))
+    fn slope_over_q<R: Real>(self, square: R) -> R {
+        with_kernel!(self, K => K::slope_over_q_from_square(square))
     }
 }
 
@@ -144,7 +144,7 @@ impl Shape for Kernel {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScaledKernel<Q> {
     shape: Q,
-    inverse_h: f64,
+    inverse_h_squared: f64,
     value_factor: f64,
     slope_factor: f64,
 }
@@ -155,7 +155,7 @@ impl ScaledKernel<Kernel> {
             kernel.normalisation(dimension) / smoothing_length.powi(dimension as i32);
         Self {
             shape: kernel,
-            inverse_h: 1.0 / smoothing_length,
+            inverse_h_squared: 1.0 / (smoothing_length * smoothing_length),
             value_factor,
             slope_factor: value_factor / (smoothing_length * smoothing_length),
         }
@@ -164,14 +164,14 @@ impl ScaledKernel<Kernel> {
     /// The same with its shape compiled in, which must be that of the kernel.
     pub(crate) fn compiled<K: SmoothingKernel>(self, shape: K) -> ScaledKernel<Compiled<K>> {
         let Self {
-            inverse_h,
+            inverse_h_squared,
             value_factor,
             slope_factor,
             ..
         } = self;
         ScaledKernel {
             shape: Compiled(shape),
-            inverse_h,
+            inverse_h_squared,
             value_factor,
             slope_factor,
         }
@@ -182,12 +182,12 @@ impl<Q: Shape> ScaledKernel<Q> {
     #[inline(always)]
     pub(crate) fn pair<R: Real, const D: usize>(&self, offset: Vector<R, D>) -> Pair<R, D> {
         let distance_squared = offset.norm_squared();
-        let q = distance_squared.sqrt() * self.inverse_h;
-        let slope_over_distance = self.shape.slope_over_q(q) * self.slope_factor;
+        let square = distance_squared * self.inverse_h_squared;
+        let slope_over_distance = self.shape.slope_over_q(square) * self.slope_factor;
         Pair {
             offset,
             distance_squared,
-            w: self.shape.shape(q) * self.value_factor,
+            w: self.shape.shape(square) * self.value_factor,
             grad_w: offset * slope_over_distance,
             slope_over_distance,
         }

@@ -23,13 +23,22 @@ impl SmoothingKernel for TruncatedGaussian {
 
     #[inline(always)]
     fn shape<R: Real>(q: R) -> R {
-        let square = q.square();
-        let w = square.min(q.literal(10.0)).exp_minus();
-        R::select(square.less(q.literal(9.0 + 1e-12)), w, q.zero())
+        Self::shape_from_square(q.square())
     }
 
     #[inline(always)]
     fn slope_over_q<R: Real>(q: R) -> R {
-        Self::shape(q) * -2.0
+        Self::slope_over_q_from_square(q.square())
+    }
+
+    #[inline(always)]
+    fn shape_from_square<R: Real>(square: R) -> R {
+        let w = square.min(square.literal(10.0)).exp_minus();
+        R::select(square.less(square.literal(9.0 + 1e-12)), w, square.zero())
+    }
+
+    #[inline(always)]
+    fn slope_over_q_from_square<R: Real>(square: R) -> R {
+        Self::shape_from_square(square) * -2.0
     }
 }
