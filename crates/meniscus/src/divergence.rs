@@ -101,8 +101,11 @@ impl Diverged {
             "artificial viscosity" | "laminar viscosity" => {
                 advice.push("shorten the time step: the viscous limit is 0.125 h^2 rho / mu");
             }
-            "body force or own force" => {
-                advice.push("check the body force: it is the largest acceleration")
+            "the body force" => {
+                advice.push("check the body force: it is the largest acceleration");
+            }
+            "a force of your own" => {
+                advice.push("check your own force: it must be finite for any pair, also of a particle with itself");
             }
             _ => advice.push("raise sound_speed to at least ten times the fastest flow"),
         }
@@ -131,11 +134,13 @@ pub(crate) fn check<const D: usize>(
     }
 }
 
-/// Finds the term that pushes row `i` hardest, from the O(N) sum of each alone.
+/// Finds the term that pushes row `i` hardest, from the O(N) sum of each alone
+/// at `time` seconds.
 pub(crate) fn diagnose<const D: usize>(
     rates: &Rates<D>,
     particles: &Particles<D>,
     domain: &Domain<D>,
+    time: f64,
     i: usize,
 ) -> Culprit {
     let whole = momentum(&rates.scheme, &rates.fluids);
@@ -147,6 +152,8 @@ pub(crate) fn diagnose<const D: usize>(
     };
     let (kernel, h) = (rates.scheme.kernel, rates.scheme.smoothing_length);
     let alone = |term: Momentum| reference::sum(&term, kernel, h, domain, particles, i);
+    let body_force = (rates.scheme.body_force.as_ref())
+        .map_or(Vector::ZERO, |force| Vector::from_3d(force.at(time)));
     let parts = [
         (
             "the pressure gradient",
@@ -170,10 +177,14 @@ pub(crate) fn diagnose<const D: usize>(
             }),
         ),
         ("surface tension", rates.surface_acceleration(particles, i)),
+        ("the body force", body_force),
     ];
-    let mut rest = particles.acceleration[i];
-    for (_, part) in &parts {
-        rest -= *part;
+    let mut own_force = Vector::ZERO;
+    if !rates.forces.is_empty() {
+        own_force = particles.acceleration[i];
+        for (_, part) in &parts {
+            own_force -= *part;
+        }
     }
     let rate: f64 = reference::sum(&Continuity, kernel, h, domain, particles, i);
     // A value that is not a number counts as the strongest.
@@ -186,7 +197,7 @@ pub(crate) fn diagnose<const D: usize>(
     };
     let (term, a) = parts
         .into_iter()
-        .chain([("body force or own force", rest)])
+        .chain([("a force of your own", own_force)])
         .fold(("none", Vector::ZERO), |best, part| {
             if strength(&part.1) > strength(&best.1) {
                 part

@@ -77,8 +77,9 @@ impl<const D: usize> Rates<D> {
         }
     }
 
-    /// Density at the end of a step of `dt` seconds, from positions at its
-    /// end and velocities at its middle; then pressure.
+    /// Density at the end of a step of `dt` seconds, then pressure. By
+    /// continuity from positions and velocities at its middle; by summation
+    /// from positions at its end.
     pub(crate) fn advance_density(&mut self, particles: &mut Particles<D>, dt: f64) {
         match self.scheme.density {
             DensityForm::Continuity => {
@@ -189,7 +190,7 @@ pub struct Table<const D: usize> {
     pub(crate) advance_density: fn(&mut Rates<D>, &mut Particles<D>, f64),
     pub(crate) accelerate: fn(&mut Rates<D>, &mut Particles<D>, f64),
     pub(crate) rebuild: fn(&mut Pairs<D>, &mut Particles<D>),
-    pub(crate) diagnose: fn(&Rates<D>, &Particles<D>, &Domain<D>, usize) -> Culprit,
+    pub(crate) diagnose: fn(&Rates<D>, &Particles<D>, &Domain<D>, f64, usize) -> Culprit,
 }
 
 macro_rules! compile_for {

@@ -10,10 +10,10 @@ use crate::pairs::{Domain, Instructions, Pairs};
 use crate::particles::{Particle, Particles};
 use crate::physics::surface_tension::jancik_hyhlik::Surface;
 use crate::rates::{Dimension, Force, PairForce, ROWS_PER_TASK, Rates, Space, Table};
-use crate::scheme::{DensityForm, Scheme, TimeStep};
+use crate::scheme::{BodyForce, DensityForm, Scheme, TimeStep};
 use crate::snapshot::Snapshot;
 use crate::term::{PairTerm, Sweep};
-use crate::time::integrator::{kick, kick_drift};
+use crate::time::integrator::{drift, kick, kick_drift};
 use crate::time::step::StepLimits;
 use crate::vector::Vector;
 
@@ -71,8 +71,8 @@ impl<const D: usize> Simulation<D> {
     ///
     /// # Errors
     /// If a value is impossible: no fluid, a spacing or length that is not
-    /// positive, a particle of an unknown fluid, at no finite place, or
-    /// without mass.
+    /// positive, a viscosity below zero, a body force that is not a number, a
+    /// particle of an unknown fluid, at no finite place, or without mass.
     pub fn new(setup: Setup<D>) -> Result<Self, SetupError>
     where
         Space: Dimension<D>,
@@ -140,16 +140,29 @@ impl<const D: usize> Simulation<D> {
         let dt = self.next_step;
         let damping = self.rates.scheme.damping;
         kick_drift(&mut self.particles, dt, damping);
+        if self.rates.scheme.density == DensityForm::Continuity {
+            self.refresh_lists();
+            (self.table.advance_density)(&mut self.rates, &mut self.particles, dt);
+        }
+        drift(&mut self.particles, dt);
+        self.refresh_lists();
+        if self.rates.scheme.density == DensityForm::Summation {
+            (self.table.advance_density)(&mut self.rates, &mut self.particles, dt);
+        }
+        self.time += dt;
+        (self.table.accelerate)(&mut self.rates, &mut self.particles, self.time);
+        self.steps += 1;
+        // Velocities are still those that the accelerations belong to.
+        self.check_state()?;
+        kick(&mut self.particles, dt, damping);
+        self.choose_step();
+        self.check_step()
+    }
+
+    fn refresh_lists(&mut self) {
         if self.rates.pairs.is_stale(&self.particles) {
             (self.table.rebuild)(&mut self.rates.pairs, &mut self.particles);
         }
-        (self.table.advance_density)(&mut self.rates, &mut self.particles, dt);
-        self.time += dt;
-        (self.table.accelerate)(&mut self.rates, &mut self.particles, self.time);
-        kick(&mut self.particles, dt, damping);
-        self.steps += 1;
-        self.choose_step();
-        self.check()
     }
 
     /// Marches until `time` in s is reached or passed.
@@ -184,7 +197,7 @@ impl<const D: usize> Simulation<D> {
         };
     }
 
-    fn check(&self) -> Result<(), Diverged> {
+    fn check_state(&self) -> Result<(), Diverged> {
         let (particles, fluids) = (&self.particles, &self.rates.fluids);
         let bad = (0..particles.len())
             .into_par_iter()
@@ -195,7 +208,12 @@ impl<const D: usize> Simulation<D> {
             let failure = check(particles, fluids, i).unwrap_or(Failure::NotFinite);
             return Err(self.diverged(i, failure));
         }
-        let fastest = fluids.iter().map(|f| f.sound_speed).fold(0.0, f64::max);
+        Ok(())
+    }
+
+    fn check_step(&self) -> Result<(), Diverged> {
+        let fastest =
+            (self.rates.fluids.iter()).fold(0.0, |c: f64, fluid| c.max(fluid.sound_speed));
         let acoustic = self.rates.scheme.smoothing_length / fastest;
         if self.next_step < COLLAPSED * acoustic && self.rates.scheme.time_step.is_adaptive() {
             let a = &self.particles.acceleration;
@@ -220,7 +238,13 @@ impl<const D: usize> Simulation<D> {
             particle: self.particles.id[i],
             position: self.particles.position[i].to_3d(),
             failure,
-            culprit: (self.table.diagnose)(&self.rates, &self.particles, &self.domain, i),
+            culprit: (self.table.diagnose)(
+                &self.rates,
+                &self.particles,
+                &self.domain,
+                self.time,
+                i,
+            ),
         }
     }
 
@@ -244,9 +268,7 @@ impl<const D: usize> Simulation<D> {
     /// Sums `term` over the neighbours of every particle, as things stand.
     pub fn sum<T: PairTerm<D>>(&mut self, term: &T) -> Vec<T::Sum<f64>> {
         let mut sums = Vec::new();
-        if self.rates.pairs.is_stale(&self.particles) {
-            (self.table.rebuild)(&mut self.rates.pairs, &mut self.particles);
-        }
+        self.refresh_lists();
         self.rates
             .pairs
             .sweep(term, &self.particles, |_| true, &mut sums);
@@ -329,6 +351,10 @@ fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError> {
         ("spacing", setup.spacing),
         ("smoothing length", scheme.smoothing_length),
     ];
+    let mut at_least_zero = vec![
+        ("artificial viscosity", scheme.artificial_viscosity),
+        ("damping", scheme.damping),
+    ];
     match scheme.time_step {
         TimeStep::Fixed(dt) => positive.push(("time step", dt)),
         TimeStep::Adaptive { safety } => positive.push(("safety factor of the time step", safety)),
@@ -337,12 +363,27 @@ fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError> {
         positive.push(("density of a fluid", fluid.density));
         positive.push(("sound speed of a fluid", fluid.sound_speed));
         positive.push(("stiffness exponent of a fluid", fluid.stiffness_exponent));
-        if !(fluid.viscosity >= 0.0 && fluid.surface_tension >= 0.0) {
+        at_least_zero.push(("viscosity of a fluid", fluid.viscosity));
+        at_least_zero.push(("surface tension of a fluid", fluid.surface_tension));
+        if !fluid.background_pressure.is_finite() {
             return complain(format!(
-                "viscosity and surface tension of {} must not be negative",
-                fluid.name
+                "background pressure of {} must be finite, found {}",
+                fluid.name, fluid.background_pressure
             ));
         }
+    }
+    for (name, value) in at_least_zero {
+        if !(value >= 0.0 && value.is_finite()) {
+            return complain(format!(
+                "{name} must be finite and not negative, found {value}"
+            ));
+        }
+    }
+    if !scheme.body_force.as_ref().is_none_or(BodyForce::is_sound) {
+        return complain(
+            "the body force must be of finite numbers, and the times of its table must not fall"
+                .into(),
+        );
     }
     for (name, value) in positive {
         if !(value > 0.0 && value.is_finite()) {

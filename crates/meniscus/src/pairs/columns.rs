@@ -156,7 +156,8 @@ impl<const D: usize> Columns<D> {
             let mut total = 1.0;
             let mut counts = [1.0; D];
             for d in 0..D - 1 {
-                counts[d] = ((high[d] - low[d]) / self.width).floor() + 1.0;
+                // No place that is a number leaves -inf or NaN here.
+                counts[d] = (((high[d] - low[d]) / self.width).floor() + 1.0).max(1.0);
                 total *= counts[d];
             }
             if total <= most {

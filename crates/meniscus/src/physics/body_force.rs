@@ -44,6 +44,24 @@ impl BodyForce {
             BodyForce::Table(rows) => interpolate(rows, time),
         }
     }
+
+    /// Whether all its numbers are finite and the times of a table do not fall.
+    pub(crate) fn is_sound(&self) -> bool {
+        let finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
+        match self {
+            BodyForce::Constant(g) => finite(g),
+            BodyForce::Oscillating {
+                mean,
+                amplitude,
+                frequency,
+                phase,
+            } => finite(mean) && finite(amplitude) && finite(&[*frequency, *phase]),
+            BodyForce::Table(rows) => {
+                rows.iter().all(|(t, a)| t.is_finite() && finite(a))
+                    && rows.is_sorted_by_key(|row| row.0)
+            }
+        }
+    }
 }
 
 fn interpolate(rows: &[(f64, [f64; 3])], time: f64) -> [f64; 3] {
