@@ -18,3 +18,20 @@ pub struct Fluid {
     /// Surface tension sigma against the surroundings, N/m; zero for none.
     pub surface_tension: f64,
 }
+
+impl Fluid {
+    /// A fluid of this density, kg/m^3, without viscosity or surface tension;
+    /// Tait's exponent 7, sound speed 10 m/s: set it to at least ten times the
+    /// fastest flow.
+    pub fn new(name: &str, density: f64) -> Self {
+        Self {
+            name: name.to_owned(),
+            density,
+            sound_speed: 10.0,
+            stiffness_exponent: 7.0,
+            background_pressure: 0.0,
+            viscosity: 0.0,
+            surface_tension: 0.0,
+        }
+    }
+}

@@ -1,4 +1,58 @@
 //! Flows ruled by surface tension, by smoothed particle hydrodynamics.
+//!
+//! A simulation is particles, fluids and a [`Scheme`] put together, and then
+//! marched in time. All values are SI. The smallest that is complete:
+//!
+//! ```
+//! use meniscus::shape::{Arrangement, Pattern, Shape};
+//! use meniscus::{Domain, Fluid, Particle, Scheme, Setup, Simulation, SurfaceTension, Vector};
+//!
+//! // A disc of water, 1 mm across, on a triangular lattice.
+//! let spacing = 0.05e-3;
+//! let water = Fluid { surface_tension: 0.0728, sound_speed: 5.0, ..Fluid::new("water", 998.0) };
+//! let disc = Shape::Ball { centre: Vector([0.0, 0.0]), radius: 0.5e-3 };
+//! let lattice = Arrangement::new(Pattern::ClosePacked, spacing);
+//! let mass = water.density * lattice.particle_volume();
+//! let particles = lattice.fill(&disc, 10_000)?.into_iter()
+//!     .map(|position| Particle { position, velocity: Vector::ZERO, mass, fluid: 0, body: 0 })
+//!     .collect();
+//!
+//! let scheme = Scheme {
+//!     surface_tension: Some(SurfaceTension::default()),
+//!     damping: 4000.0, // brings the disc to rest
+//!     ..Scheme::new(1.5 * spacing)
+//! };
+//! let mut simulation =
+//!     Simulation::new(Setup { scheme, fluids: vec![water], particles, spacing, domain: Domain::default() })?;
+//! simulation.advance_to(5e-3)?;
+//!
+//! // The pressure inside rises to about sigma / R = 146 Pa.
+//! let p = simulation.particles();
+//! let inside = (0..p.len()).filter(|&i| p.position[i].norm() < 0.25e-3);
+//! let (sum, count) = inside.fold((0.0, 0), |(sum, count), i| (sum + p.pressure[i], count + 1));
+//! assert!((sum / count as f64 / 146.0 - 1.0).abs() < 0.25);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The tour
+//!
+//! Who simulates needs:
+//! - [`shape`]: bodies, and how particles fill them
+//! - [`fluid`], [`scheme`], [`kernel`]: what is solved, and with what
+//! - [`simulation`]: the march in time; [`snapshot`]: to stop and go on;
+//!   [`divergence`]: what a run says that blew up
+//! - [`measure`]: what an experimenter would measure; [`theory`]: exact results to set beside it
+//!
+//! Who adds physics needs:
+//! - [`real`], [`vector`]: the arithmetic that formulas are written in
+//! - [`term`]: a formula for one pair, [`PairTerm`]; [`mod@reference`]: its sum in O(N^2), for tests
+//! - [`physics`]: one file per equation; [`rates`]: their order in a step; [`time`]: the integrator
+//!
+//! Who makes it fast needs [`pairs`], the engine, which physics never sees.
+//!
+//! The result of a simulation is the same, bit by bit, on any number of threads.
+
+#![deny(missing_docs)]
 
 pub mod divergence;
 pub mod fluid;
@@ -19,10 +73,13 @@ pub mod theory;
 pub mod time;
 pub mod vector;
 
+pub use fluid::Fluid;
 pub use kernel::Kernel;
-pub use particles::{Particle, Particles};
-pub use real::Real;
 pub use pairs::Domain;
+pub use particles::{Particle, Particles};
+pub use physics::surface_tension::SurfaceTension;
+pub use real::Real;
+pub use scheme::Scheme;
 pub use simulation::{Setup, Simulation};
 pub use snapshot::Snapshot;
 pub use term::PairTerm;

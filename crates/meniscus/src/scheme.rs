@@ -53,6 +53,25 @@ pub struct Scheme {
     pub time_step: TimeStep,
 }
 
+impl Scheme {
+    /// Weakly compressible flow with artificial viscosity 0.1 and adaptive
+    /// steps; Wendland's C2 kernel with this smoothing length, m.
+    pub fn new(smoothing_length: f64) -> Self {
+        Self {
+            kernel: Kernel::WendlandC2,
+            smoothing_length,
+            density: DensityForm::Continuity,
+            pressure: PressureForm::OverDensitySquared,
+            artificial_viscosity: 0.1,
+            viscosity: ViscosityForm::MonaghanCleary,
+            body_force: None,
+            surface_tension: None,
+            damping: 0.0,
+            time_step: TimeStep::Adaptive { safety: 1.0 },
+        }
+    }
+}
+
 impl TimeStep {
     /// Whether the step follows the flow.
     pub fn is_adaptive(self) -> bool {

@@ -12,3 +12,9 @@ pub enum SurfaceTension {
     /// Free-surface continuum surface force of Jancik and Hyhlik.
     JancikHyhlik(JancikHyhlik),
 }
+
+impl Default for SurfaceTension {
+    fn default() -> Self {
+        SurfaceTension::JancikHyhlik(JancikHyhlik::default())
+    }
+}
