@@ -260,11 +260,14 @@ fn keys_are_few(keys: &[(f64, u32)]) -> bool {
     keys.len() < 4096
 }
 
-/// Largest squared distance between rows of two sets of points.
-pub(crate) fn largest_move<const D: usize>(a: &[Vector<f64, D>], b: &[Vector<f64, D>]) -> f64 {
+/// Whether no row of `a` is farther than `distance` from that of `b`; a NaN is.
+pub(crate) fn all_within<const D: usize>(
+    distance: f64,
+    a: &[Vector<f64, D>],
+    b: &[Vector<f64, D>],
+) -> bool {
     a.par_iter()
         .with_min_len(4096)
         .zip(b)
-        .map(|(a, b)| (*a - *b).norm_squared())
-        .reduce(|| 0.0, f64::max)
+        .all(|(a, b)| (*a - *b).norm_squared() <= distance * distance)
 }

@@ -17,7 +17,7 @@ mod sweep;
 
 pub use images::Domain;
 
-use columns::{Columns, largest_move};
+use columns::{Columns, all_within};
 use fearless_simd::Level;
 use images::Image;
 use lists::{Chunk, Sorted};
@@ -164,9 +164,8 @@ impl<const D: usize> Pairs<D> {
 
     /// Whether particles have moved so far that a pair may be missing from the lists.
     pub fn is_stale(&self, particles: &Particles<D>) -> bool {
-        let largest = largest_move(&particles.position, &self.reference);
-        // Written so that a NaN counts as stale.
-        !(4.0 * largest <= self.skin * self.skin) || self.reference.len() != particles.len()
+        self.reference.len() != particles.len()
+            || !all_within(0.5 * self.skin, &particles.position, &self.reference)
     }
 
     /// Positions for which the lists were built.

@@ -14,9 +14,11 @@
 //! that of its particles by omega^2 dt per second. Density by summation is
 //! taken at the end of the step instead, between 4 and 5.
 //!
-//! Second order in dt, but for forces that depend on velocity: they see v half
-//! a step late, and a decay at a rate k comes out as k (1 + k dt/2). A drag
-//! -k v alone is applied exactly, as a factor exp(-k dt/2) to either half.
+//! Second order in dt, but for two things. Forces that depend on velocity see
+//! v half a step late: a decay at a rate k comes out as k (1 + k dt/2). And the
+//! volumes V of step 3 are those before it, which leaves dt times the square of
+//! the rate of density, times (h / wavelength)^2: nothing in a weakly compressible
+//! flow. A drag -k v is applied exactly, as a factor exp(-k dt/2) to either half.
 
 use rayon::prelude::*;
 
