@@ -1,10 +1,10 @@
 //! Flows that several tests start from.
 #![allow(dead_code)] // each test file uses a part
 
+use meniscus::fluid::Fluid;
 use meniscus::scheme::{
     BodyForce, DensityForm, PressureForm, Scheme, SurfaceTension, TimeStep, ViscosityForm,
 };
-use meniscus::fluid::Fluid;
 use meniscus::{Domain, Kernel, Particle, Setup, Vector};
 
 /// Unit density, viscosity `viscosity`, tension `surface_tension`, sound speed 10.
@@ -43,11 +43,24 @@ pub fn periodic_box<const D: usize>(
     velocity: impl Fn(Vector<f64, D>) -> Vector<f64, D>,
     fluid: Fluid,
 ) -> Setup<D> {
-    let spacing = 1.0 / n as f64;
-    let particles = (0..n.pow(D as u32))
-        .map(|k| {
-            let position = Vector(std::array::from_fn(|d| {
-                ((k / n.pow(d as u32) % n) as f64 + 0.5) * spacing
+    periodic_lattice([n; D], 1.0 / n as f64, velocity, fluid)
+}
+
+/// A box of `counts` cells of size `spacing`, one particle in the middle of
+/// each, one corner at the origin, periodic on all axes, with velocity from position.
+pub fn periodic_lattice<const D: usize>(
+    counts: [usize; D],
+    spacing: f64,
+    velocity: impl Fn(Vector<f64, D>) -> Vector<f64, D>,
+    fluid: Fluid,
+) -> Setup<D> {
+    let particles = (0..counts.iter().product())
+        .map(|k: usize| {
+            let mut rest = k;
+            let position = Vector(counts.map(|count| {
+                let cell = rest % count;
+                rest /= count;
+                (cell as f64 + 0.5) * spacing
             }));
             Particle {
                 position,
@@ -63,8 +76,16 @@ pub fn periodic_box<const D: usize>(
         fluids: vec![fluid],
         particles,
         spacing,
-        domain: Domain { periodic: [Some((0.0, 1.0)); D] },
+        domain: Domain {
+            periodic: counts.map(|count| Some((0.0, count as f64 * spacing))),
+        },
     }
+}
+
+/// Noise between -1 and 1, the same for ever.
+pub fn noise(k: i64) -> f64 {
+    let x = (k as f64 * 78.233).sin() * 43_758.545_3;
+    2.0 * (x - x.floor()) - 1.0
 }
 
 /// An ellipse or ellipsoid, semi-axis 1.25 along x and 1 along the others,
@@ -76,8 +97,7 @@ pub fn free_drop<const D: usize>(spacing: f64, jitter: f64) -> Setup<D> {
     for k in 0..side.pow(D as u32) {
         let position: Vector<f64, D> = Vector(std::array::from_fn(|d| {
             let cell = (k / side.pow(d as u32) % side - n) as f64;
-            let noise = ((k * 12 + d as i64 * 5) as f64 * 78.233).sin() * 43_758.545_3;
-            (cell + 0.31 + jitter * (2.0 * (noise - noise.floor()) - 1.0)) * spacing
+            (cell + 0.31 + jitter * noise(k * 12 + d as i64 * 5)) * spacing
         }));
         let stretched = Vector::<f64, D>(std::array::from_fn(|d| {
             position[d] / if d == 0 { 1.25 } else { 1.0 }
