@@ -1,15 +1,15 @@
 //! Motions that have an exact solution: free fall, drag, rigid motion, a flow
-//! seen from a moving frame, two fluids at rest.
+//! seen from a moving frame.
 
 use std::f64::consts::TAU;
 
 use meniscus::physics::continuity::Continuity;
 use meniscus::physics::summation::Summation;
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::{BodyForce, PressureForm, TimeStep};
+use meniscus::scheme::{BodyForce, TimeStep};
 use meniscus::{Domain, Particle, Setup, Simulation, Vector, reference};
 
-use crate::common::{fluid, free_drop, noise, periodic_box, periodic_lattice, scheme};
+use crate::common::{fluid, free_drop, noise, periodic_box, scheme};
 
 /// One particle alone.
 fn lone<const D: usize>(velocity: Vector<f64, D>, dt: f64) -> Setup<D> {
@@ -219,42 +219,4 @@ fn a_flow_is_the_same_from_a_moving_frame() {
             "{a:?} {b:?}"
         );
     }
-}
-
-/// Two layers of equal pressure 5 and densities 1 and 10, and how fast the
-/// particles move from rest in 50 steps.
-fn layers<const D: usize>(n: usize, form: PressureForm) -> f64
-where
-    Space: Dimension<D>,
-{
-    let mut light = fluid(0.0, 0.0);
-    light.background_pressure = 5.0;
-    let heavy = meniscus::fluid::Fluid {
-        density: 10.0,
-        ..light.clone()
-    };
-    let mut setup = periodic_lattice([n; D], 1.0 / n as f64, |_| Vector::ZERO, light);
-    setup.fluids.push(heavy);
-    setup.scheme.pressure = form;
-    for particle in &mut setup.particles {
-        if particle.position[0] < 0.5 {
-            particle.fluid = 1;
-            particle.mass *= 10.0;
-        }
-    }
-    let mut simulation = Simulation::new(setup).expect("a sound setup");
-    march(&mut simulation, 50);
-    meniscus::measure::maximum_speed(&simulation.particles().velocity)
-}
-
-#[test]
-fn two_fluids_of_equal_pressure_stay_at_rest() {
-    for form in [PressureForm::HuAdams, PressureForm::OverDensityProduct] {
-        // Rounding of forces p / (rho h), over 50 steps of 0.0025 s or less.
-        assert!(layers::<2>(16, form) < 1e-12, "2D, {form:?}");
-        assert!(layers::<3>(10, form) < 1e-12, "3D, {form:?}");
-    }
-    // The form that is not made for a jump of density does see one: at the
-    // interface p / rho^2 differs a hundredfold.
-    assert!(layers::<2>(16, PressureForm::OverDensitySquared) > 0.1);
 }
