@@ -14,17 +14,15 @@ use meniscus_report::number::{significant, with_unit};
 use crate::failure::Failure;
 use crate::numbers;
 use crate::progress::{duration, seconds};
+use crate::terminal::{Voice, answer};
 
 /// Steps are timed for this long, s.
 const TRIAL: f64 = 1.0;
 
 /// Prints what there is to know of a case.
-pub fn check(path: &Path) -> Result<ExitCode, Failure> {
+pub fn check(path: &Path, voice: Voice) -> Result<ExitCode, Failure> {
     let case = Case::from_file(path)?;
-    if !case.warnings.is_empty() {
-        let colour = std::io::IsTerminal::is_terminal(&std::io::stdout());
-        println!("{}", case.warnings.render(colour));
-    }
+    voice.warn_of(&case);
     match case.dimension {
         2 => describe::<2>(&case)?,
         _ => describe::<3>(&case)?,
@@ -36,140 +34,125 @@ fn describe<const D: usize>(case: &Case) -> Result<(), Failure>
 where
     Space: Dimension<D>,
 {
-    let (mass_unit, volume_unit) = if D == 2 {
-        ("kg/m", "m^2")
-    } else {
-        ("kg", "m^3")
-    };
-    println!("{}", case.title.as_deref().unwrap_or(&case.name));
-    for body in &case.bodies {
-        let fluid = &case.fluids[body.fluid];
-        line(
-            &body.name,
-            &format!(
-                "{} particles of {}, {}, {}",
-                body.particles,
-                fluid.name,
-                with_unit(body.volume, volume_unit, 5),
-                with_unit(body.mass, mass_unit, 5)
-            ),
-        );
-    }
-    line(
-        "particles",
-        &format!(
-            "{} in {D}D, {} apart",
-            case.particle_count(),
-            with_unit(case.spacing, "m", 4)
-        ),
-    );
-    for number in numbers::of(case) {
-        line(
-            number.name,
-            &format!("{:<12} {}", significant(number.value, 4), number.meaning),
-        );
-    }
-    for fluid in &case.fluids {
-        line(
-            &format!("c of {}", fluid.name),
-            &with_unit(fluid.sound_speed, "m/s", 4),
-        );
-    }
-    let error = 100.0 * numbers::expected_density_error(case);
-    line(
-        "density error",
-        &format!("about {} % expected, (U/c)^2", significant(error, 2)),
-    );
-
     let mut simulation =
         Simulation::<D>::new(case.setup()).map_err(|e| Failure::new(e.to_string()))?;
-    let limits = expected_limits(case, simulation.limits());
-    println!("time step");
+    let mut lines = vec![case.title.clone().unwrap_or_else(|| case.name.clone())];
+    what(case, &mut lines);
+    let step = time_step(case, simulation.limits(), &mut lines);
+    let steps = (case.end_time / step).ceil();
+    let bytes = case.particle_count() as f64 * BYTES_PER_PARTICLE;
+    lines.push("cost".into());
+    lines.push(line(
+        "steps",
+        &format!("{steps:.0} to t = {}", seconds(case.end_time)),
+    ));
+    let megabytes = significant(bytes * 1e-6, 2);
+    lines.push(line("memory", &format!("about {megabytes} MB")));
+    // The trial takes a moment: what is known is said before it.
+    answer(&lines.join("\n"))?;
+
+    let begin = Instant::now();
+    let mut done = 0_u32;
+    while begin.elapsed().as_secs_f64() < TRIAL && f64::from(done) < steps {
+        simulation
+            .step()
+            .map_err(|diverged| Failure::diverged(&diverged, "the case cannot run as it stands"))?;
+        done += 1;
+    }
+    let per_step = begin.elapsed().as_secs_f64() / f64::from(done.max(1));
+    let threads = rayon::current_num_threads();
+    answer(&line(
+        "time",
+        &format!(
+            "about {} on {threads} thread{} here ({} M particle-steps/s over {done} steps)",
+            duration(per_step * steps),
+            if threads == 1 { "" } else { "s" },
+            significant(case.particle_count() as f64 / per_step * 1e-6, 2)
+        ),
+    ))
+}
+
+/// What the case is: bodies, numbers, sound.
+fn what(case: &Case, lines: &mut Vec<String>) {
+    let (mass_unit, volume_unit, volume_word) = match case.dimension {
+        2 => ("kg/m", "m^2", "area"),
+        _ => ("kg", "m^3", "volume"),
+    };
+    for body in &case.bodies {
+        let text = format!(
+            "{} particles of {}, {volume_word} {}, mass {}",
+            body.particles,
+            case.fluids[body.fluid].name,
+            with_unit(body.volume, volume_unit, 5),
+            with_unit(body.mass, mass_unit, 5)
+        );
+        lines.push(line(&body.name, &text));
+    }
+    let text = format!(
+        "{} in {}D, {} apart",
+        case.particle_count(),
+        case.dimension,
+        with_unit(case.spacing, "m", 4)
+    );
+    lines.push(line("particles", &text));
+    for number in numbers::of(case) {
+        let value = significant(number.value, 4);
+        let text = format!("{value:<9} {}", number.meaning);
+        lines.push(line(number.name, &text));
+    }
+    for fluid in &case.fluids {
+        let text = format!(
+            "{} in {}, {} expected",
+            with_unit(fluid.sound_speed, "m/s", 4),
+            fluid.name,
+            with_unit(case.speeds.largest(), "m/s", 3)
+        );
+        lines.push(line("sound speed", &text));
+    }
+    let percent = significant(100.0 * numbers::expected_density_error(case), 2);
+    let text = format!("about {percent} % expected, (largest speed / sound speed)^2");
+    lines.push(line("density error", &text));
+}
+
+/// The limits of the time step, which governs, and the step itself, s.
+fn time_step(case: &Case, at_start: StepLimits, lines: &mut Vec<String>) -> f64 {
+    let limits = expected_limits(case, at_start);
     let (governing, shortest) = limits.governing();
+    lines.push("time step".into());
     for (limit, value) in limits.all() {
+        let shown = match value.is_finite() {
+            true => seconds(value),
+            false => "no limit".into(),
+        };
         let mark = if limit == governing {
             "  <- governs"
         } else {
             ""
         };
-        let shown = if value.is_finite() {
-            seconds(value)
-        } else {
-            "none".into()
-        };
-        line(&limit.to_string(), &format!("{shown}{mark}"));
+        lines.push(line(&limit.to_string(), &format!("{shown}{mark}")));
     }
-    let step = match case.scheme.time_step {
+    let (step, how) = match case.scheme.time_step {
         TimeStep::Fixed(dt) => {
-            line(
-                "used",
-                &format!(
-                    "{} (fixed, {} of the shortest limit)",
-                    seconds(dt),
-                    significant(dt / shortest, 3)
-                ),
-            );
-            dt
+            let share = significant(dt / shortest, 3);
+            (dt, format!("fixed, {share} times the shortest limit"))
         }
-        TimeStep::Adaptive { safety } => {
-            line(
-                "used",
-                &format!("{} (adaptive)", seconds(safety * shortest)),
-            );
-            safety * shortest
-        }
+        TimeStep::Adaptive { safety } => (safety * shortest, "adaptive".into()),
     };
-    let steps = (case.end_time / step).ceil();
-    println!("cost");
-    line(
-        "steps",
-        &format!("{steps:.0} to {}", seconds(case.end_time)),
-    );
-    let bytes = case.particle_count() as f64 * BYTES_PER_PARTICLE as f64;
-    line(
-        "memory",
-        &format!("about {} MB", significant(bytes * 1e-6, 2)),
-    );
-    let begin = Instant::now();
-    let mut done = 0;
-    while begin.elapsed().as_secs_f64() < TRIAL && f64::from(done) < steps {
-        if let Err(diverged) = simulation.step() {
-            return Err(Failure::diverged(
-                &diverged,
-                "the case cannot run like this",
-            ));
-        }
-        done += 1;
-    }
-    let per_step = begin.elapsed().as_secs_f64() / f64::from(done.max(1));
-    line(
-        "time",
-        &format!(
-            "about {} on {} threads here ({done} steps timed, {} M particle-steps/s)",
-            duration(per_step * steps),
-            rayon::current_num_threads(),
-            significant(case.particle_count() as f64 / per_step * 1e-6, 2)
-        ),
-    );
-    Ok(())
+    lines.push(line("used", &format!("{} ({how})", seconds(step))));
+    step
 }
 
 /// Limits at the start, with the speeds that the case is expected to reach.
 fn expected_limits(case: &Case, at_start: StepLimits) -> StepLimits {
-    let support = case.scheme.kernel.support() * case.scheme.smoothing_length;
-    let expected = StepLimits::new(
-        &case.fluids,
-        case.scheme.smoothing_length,
-        support,
-        case.speeds.largest(),
-        0.0,
-    );
+    let h = case.scheme.smoothing_length;
+    let support = case.scheme.kernel.support() * h;
+    let expected = StepLimits::new(&case.fluids, h, support, case.speeds.largest(), 0.0);
     StepLimits {
         force: at_start.force,
         ..expected
     }
 }
 
-fn line(name: &str, text: &str) {
-    println!("  {name:<14} {text}");
+fn line(name: &str, text: &str) -> String {
+    format!("  {name:<14} {text}")
 }

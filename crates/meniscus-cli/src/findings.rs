@@ -6,7 +6,8 @@ use meniscus_case::Case;
 use meniscus_output::Series;
 use serde::{Deserialize, Serialize};
 
-use crate::numbers::effective_viscosity;
+use crate::expected;
+use crate::numbers::expected_density_error;
 
 /// A number that was measured.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -45,22 +46,40 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     findings
 }
 
-fn add(
-    findings: &mut Findings,
-    id: &str,
-    quantity: &str,
-    unit: &str,
-    theory: Option<(&str, f64)>,
-    found: Estimate,
-) {
-    findings.numbers.push(Finding {
-        id: id.into(),
-        quantity: quantity.into(),
-        unit: unit.into(),
-        reference: theory.map(|(source, value)| (source.to_owned(), value)),
-        computed: found.value,
-        uncertainty: Some(found.half_width).filter(|width| width.is_finite()),
-    });
+impl Findings {
+    /// Adds a number; one that came out as none is a complaint.
+    fn add(
+        &mut self,
+        id: &str,
+        quantity: &str,
+        unit: &str,
+        reference: Option<(&str, f64)>,
+        found: Estimate,
+    ) {
+        if !found.value.is_finite() {
+            self.complaints
+                .push(format!("{quantity}: no value came out"));
+            return;
+        }
+        self.numbers.push(Finding {
+            id: id.into(),
+            quantity: quantity.into(),
+            unit: unit.into(),
+            reference: reference
+                .filter(|(_, value)| value.is_finite())
+                .map(|(source, value)| (source.to_owned(), value)),
+            computed: found.value,
+            uncertainty: Some(found.half_width).filter(|width| width.is_finite()),
+        });
+    }
+}
+
+/// A number without an interval.
+fn exact(value: f64) -> Estimate {
+    Estimate {
+        value,
+        half_width: f64::NAN,
+    }
 }
 
 /// The samples of a column from one time to another.
@@ -79,27 +98,17 @@ fn window(series: &Series, name: &str, from: f64, to: f64) -> Option<(Vec<f64>, 
 }
 
 fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
-    let Some(asked) = &case.measure.oscillation else {
-        return;
-    };
-    let Some(body) = case.bodies.first() else {
+    let (Some(asked), Some(body)) = (&case.measure.oscillation, case.bodies.first()) else {
         return;
     };
     let fluid = &case.fluids[body.fluid];
-    let radius = theory::equivalent_radius(body.volume, case.dimension);
-    let omega = theory::angular_frequency(
-        asked.mode,
-        fluid.surface_tension,
-        fluid.density,
-        radius,
-        case.dimension,
-    );
     let given = Some(("given", fluid.surface_tension));
+    let theory = expected::oscillation(case);
     let columns = [
-        ("semi-axis x", "", "semi-axis x by second moments"),
-        ("semi-axis y", "-y", "semi-axis y by second moments"),
-        ("tip semi-axis x", "-tip-x", "semi-axis x by tips"),
-        ("tip semi-axis y", "-tip-y", "semi-axis y by tips"),
+        ("semi-axis x", "", "axis x (moments)"),
+        ("semi-axis y", "-y", "axis y (moments)"),
+        ("tip semi-axis x", "-tip-x", "axis x (tips)"),
+        ("tip semi-axis y", "-tip-y", "axis y (tips)"),
     ];
     for (column, suffix, label) in columns {
         let Some((time, values)) = window(series, column, asked.from, asked.to) else {
@@ -111,49 +120,35 @@ fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
         let fit = match DampedCosine::fit(&time, &values) {
             Ok(fit) => fit,
             Err(error) => {
-                findings.complaints.push(format!(
-                    "no oscillation could be fitted to {label}: {error}"
-                ));
+                findings
+                    .complaints
+                    .push(format!("no oscillation was fitted to {label}: {error}"));
+                // What the moments do not show, the tips do not show either.
+                if suffix.is_empty() {
+                    return;
+                }
                 continue;
             }
         };
-        let sigma = OscillationSurfaceTension::measure(
-            &fit,
-            asked.mode,
-            fluid.density,
-            body.volume,
-            case.dimension,
-        );
-        let name = format!("surface tension from the frequency of {label}");
-        add(
-            findings,
-            &format!("sigma-oscillation{suffix}"),
-            &name,
-            "N/m",
-            given,
-            sigma.plain,
-        );
+        let (density, dimension) = (fluid.density, case.dimension);
+        let sigma =
+            OscillationSurfaceTension::measure(&fit, asked.mode, density, body.volume, dimension);
+        let id = format!("sigma-oscillation{suffix}");
+        let name = format!("surface tension by {label}");
+        findings.add(&id, &name, "N/m", given, sigma.plain);
         if suffix.is_empty() {
+            let id = "sigma-oscillation-corrected";
             let name = "the same, corrected for damping";
-            add(
-                findings,
-                "sigma-oscillation-corrected",
-                name,
-                "N/m",
-                given,
-                sigma.damping_corrected,
-            );
-            let period = Some(("Rayleigh, inviscid", std::f64::consts::TAU / omega));
-            add(findings, "period", "period", "s", period, fit.period());
-            let viscosity = effective_viscosity(case, body.fluid);
-            let rate = theory::lamb_damping_rate(asked.mode, viscosity, radius, case.dimension);
-            let lamb = Some(("Lamb, with nu of the artificial viscosity", rate));
-            add(
-                findings,
+            findings.add(id, name, "N/m", given, sigma.damping_corrected);
+            let period = theory.as_ref().map(|t| ("Rayleigh, inviscid", t.period));
+            findings.add("period", "period", "s", period, fit.period());
+            let viscous = theory.as_ref().and_then(|t| t.viscous);
+            let rate = viscous.map(|v| ("linear viscous theory", v.damping_rate));
+            findings.add(
                 "damping-rate",
                 "damping rate",
                 "1/s",
-                lamb,
+                rate,
                 fit.damping_rate,
             );
             findings.fit = Some(fit);
@@ -162,10 +157,7 @@ fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
 }
 
 fn static_pressure(case: &Case, series: &Series, findings: &mut Findings) {
-    let Some(asked) = &case.measure.static_pressure else {
-        return;
-    };
-    let Some(body) = case.bodies.first() else {
+    let (Some(asked), Some(body)) = (&case.measure.static_pressure, case.bodies.first()) else {
         return;
     };
     let Some((_, values)) =
@@ -186,79 +178,42 @@ fn static_pressure(case: &Case, series: &Series, findings: &mut Findings) {
         half_width: 1.96 * variance.sqrt(),
     };
     let jump = theory::pressure_jump(fluid.surface_tension, radius, case.dimension);
-    add(
-        findings,
-        "inner-pressure",
-        "pressure inside (r < R/2)",
-        "Pa",
-        Some(("Laplace", jump)),
-        pressure,
-    );
+    let laplace = Some(("Laplace", jump));
+    let name = "inner pressure (r < R/2)";
+    findings.add("inner-pressure", name, "Pa", laplace, pressure);
     let factor = theory::surface_tension_from_pressure(1.0, radius, case.dimension);
     let sigma = Estimate {
         value: mean * factor,
         half_width: pressure.half_width * factor,
     };
     let given = Some(("given", fluid.surface_tension));
-    add(
-        findings,
-        "sigma-static",
-        "surface tension from the pressure inside",
-        "N/m",
-        given,
-        sigma,
-    );
+    let name = "surface tension by inner pressure";
+    findings.add("sigma-static", name, "N/m", given, sigma);
 }
 
+/// What every run tells.
 fn common(case: &Case, series: &Series, findings: &mut Findings) {
-    let extreme = |name: &str, pick: fn(f64, f64) -> f64| {
-        let values = series.column(name)?;
-        values
-            .iter()
-            .copied()
-            .filter(|v| v.is_finite())
-            .reduce(pick)
+    let finite = |name: &str| {
+        let values = series.column(name)?.iter().copied();
+        Some(values.filter(|value| value.is_finite()))
     };
-    let exact = |value: f64| Estimate {
-        value,
-        half_width: f64::NAN,
-    };
-    let one_fluid = case.fluids.len() == 1;
-    if let (Some(least), Some(largest), true) = (
-        extreme("least density", f64::min),
-        extreme("largest density", f64::max),
-        one_fluid,
-    ) {
-        let rho = case.fluids[0].density;
-        let change = (largest / rho - 1.0).max(1.0 - least / rho);
-        let expected = Some((
-            "expected, (U/c)^2",
-            crate::numbers::expected_density_error(case),
-        ));
-        add(
-            findings,
-            "density-change",
-            "largest change of density",
-            "",
-            expected,
-            exact(change),
-        );
+    let least = finite("least density").and_then(|values| values.reduce(f64::min));
+    let largest = finite("largest density").and_then(|values| values.reduce(f64::max));
+    if let (Some(least), Some(largest), [fluid]) = (least, largest, &case.fluids[..]) {
+        let change = (largest / fluid.density - 1.0).max(1.0 - least / fluid.density);
+        let expected = Some(("scale (U/c)^2", 100.0 * expected_density_error(case)));
+        let name = "largest change of density";
+        findings.add("density-change", name, "%", expected, exact(100.0 * change));
     }
-    let momentum = ["momentum x", "momentum y", "momentum z"]
+    let mass: f64 = case.bodies.iter().map(|body| body.mass).sum();
+    let drift = ["momentum x", "momentum y", "momentum z"]
         .iter()
         .filter_map(|name| series.column(name))
-        .map(|column| (column[column.len().saturating_sub(1)] - column[0]).abs())
-        .fold(0.0, f64::max);
-    let mass: f64 = case.bodies.iter().map(|body| body.mass).sum();
-    if case.scheme.body_force.is_none() && mass > 0.0 {
-        let velocity = momentum / mass;
-        add(
-            findings,
-            "momentum-drift",
-            "drift of the mean velocity",
-            "m/s",
-            Some(("exact", 0.0)),
-            exact(velocity),
-        );
+        .filter_map(|column| Some((column.last()? - column.first()?).abs() / mass))
+        .reduce(f64::max);
+    if let (Some(drift), None) = (drift, &case.scheme.body_force) {
+        let nothing = Some(("exact", 0.0));
+        let name = "drift of the mean velocity";
+        findings.add("momentum-drift", name, "m/s", nothing, exact(drift));
     }
 }

@@ -1,38 +1,53 @@
 //! The program `meniscus`: case files in, trusted answers out.
 //!
-//! - `run`, `resume`: march a case, write its folder
-//! - `check`: what a case is, without running it
-//! - `report`: the report of a folder, anew
-//! - `reproduce`: the numbers of a paper, beside ours
-//! - `new`, `schema`: help with writing cases
+//! - `runner` (`run`, `resume`) starts the [`march`], which writes the files
+//!   of a run; `due` says when, `interrupt` when to stop, `record` how it stands
+//! - `conclude` (`report`): what was found (`findings`, beside what is
+//!   `expected`), on the terminal, in the report's `page` and `figures`
+//! - `check`: what a case is, without running it; `numbers` that tell of it
+//! - `reproduce`: the numbers of a paper beside ours, with a `verdict`
+//! - `starter` (`new`): help with writing cases
+//! - `terminal`, `table`, `progress`, `failure`: what is said, and how
+
+#![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod check;
+mod conclude;
+mod due;
+mod expected;
 mod failure;
+mod figures;
 mod findings;
+mod interrupt;
+mod march;
 mod numbers;
 mod page;
 mod progress;
+mod record;
 mod reproduce;
 mod runner;
 mod sample;
+mod starter;
 mod table;
+mod terminal;
+mod verdict;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand};
-use failure::Failure;
+use failure::{EXIT_CODES, Failure};
 
 /// Flows ruled by surface tension, by smoothed particle hydrodynamics.
 #[derive(Parser)]
-#[command(name = "meniscus", version, arg_required_else_help = true)]
+#[command(name = "meniscus", version, arg_required_else_help = true, after_help = EXIT_CODES)]
 struct Program {
     #[command(subcommand)]
     command: Command,
     /// Threads to use; all cores by default. The results do not depend on it.
-    #[arg(long, global = true)]
-    threads: Option<usize>,
-    /// Print only errors.
+    #[arg(long, global = true, value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Print only errors, and what was asked for.
     #[arg(short, long, global = true)]
     quiet: bool,
     /// Print each frame and checkpoint as it is written.
@@ -59,7 +74,7 @@ enum Command {
         /// The case file (TOML).
         case: PathBuf,
     },
-    /// Write the report of a run's folder anew.
+    /// Write the report of a run's folder anew, also of a run that was stopped.
     Report {
         /// The run's folder, such as out/rod-649.
         folder: PathBuf,
@@ -77,7 +92,7 @@ enum Command {
     /// Write a commented case file to start from.
     New {
         /// Name of the case; the file is NAME.toml.
-        name: String,
+        name: PathBuf,
     },
     /// Print the JSON schema of case files, for editors.
     Schema,
@@ -86,7 +101,7 @@ enum Command {
 /// Where results go.
 #[derive(Args, Clone)]
 struct Place {
-    /// Folder of the results; out/NAME by default.
+    /// Folder of the results; by default out/CASE, or out/reproduce/PAPER.
     #[arg(long)]
     out: Option<PathBuf>,
     /// Replace the results of an earlier run in that folder.
@@ -97,7 +112,7 @@ struct Place {
 fn main() -> ExitCode {
     let program = Program::parse();
     let threads = rayon::ThreadPoolBuilder::new()
-        .num_threads(program.threads.unwrap_or(0))
+        .num_threads(program.threads.unwrap_or(0).into())
         .build();
     let outcome = match threads {
         Ok(pool) => pool.install(|| dispatch(&program)),
@@ -106,38 +121,26 @@ fn main() -> ExitCode {
     match outcome {
         Ok(code) => code,
         Err(failure) => {
-            eprintln!("{failure}");
+            terminal::complain(&failure.to_string());
             failure.exit_code()
         }
     }
 }
 
 fn dispatch(program: &Program) -> Result<ExitCode, Failure> {
-    let voice = progress::Voice::new(program.quiet, program.verbose);
+    let voice = terminal::Voice::new(program.quiet, program.verbose);
     match &program.command {
         Command::Run { case, place } => runner::run(case, place.out.as_deref(), place.force, voice),
         Command::Resume { folder } => runner::resume(folder, voice),
-        Command::Check { case } => check::check(case),
-        Command::Report { folder } => page::rewrite(folder, voice),
+        Command::Check { case } => check::check(case, voice),
+        Command::Report { folder } => conclude::rewrite(folder, voice),
         Command::Reproduce { paper, json, place } => {
             reproduce::reproduce(paper, *json, place.out.as_deref(), place.force, voice)
         }
-        Command::New { name } => new_case(name),
+        Command::New { name } => starter::write(name, voice),
         Command::Schema => {
-            println!("{:#}", meniscus_case::schema());
+            terminal::answer(&format!("{:#}", meniscus_case::schema()))?;
             Ok(ExitCode::SUCCESS)
         }
     }
-}
-
-fn new_case(name: &str) -> Result<ExitCode, Failure> {
-    let stem = name.strip_suffix(".toml").unwrap_or(name);
-    let path = PathBuf::from(format!("{stem}.toml"));
-    let text = meniscus_case::template(stem);
-    let mut file = std::fs::File::create_new(&path)
-        .map_err(|error| Failure::new(format!("cannot write {}: {error}", path.display())))?;
-    std::io::Write::write_all(&mut file, text.as_bytes())
-        .map_err(|error| Failure::new(format!("cannot write {}: {error}", path.display())))?;
-    println!("wrote {0}; try: meniscus check {0}", path.display());
-    Ok(ExitCode::SUCCESS)
 }

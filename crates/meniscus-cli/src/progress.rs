@@ -6,31 +6,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// How much the program says.
-#[derive(Clone, Copy, Debug)]
-pub struct Voice {
-    /// Nothing but errors.
-    pub quiet: bool,
-    /// Every file as well.
-    pub verbose: bool,
-}
-
-impl Voice {
-    /// From the command line.
-    pub fn new(quiet: bool, verbose: bool) -> Self {
-        Self {
-            quiet,
-            verbose: verbose && !quiet,
-        }
-    }
-
-    /// Says a line, unless quiet.
-    pub fn say(self, line: &str) {
-        if !self.quiet {
-            println!("{line}");
-        }
-    }
-}
+use crate::terminal::Voice;
 
 /// Time between plain lines where there is no terminal.
 const LINE_EVERY: Duration = Duration::from_secs(10);
@@ -43,10 +19,11 @@ pub struct Progress {
     voice: Voice,
     particles: u64,
     end: f64,
+    begin: Instant,
     last: (Instant, u64, f64),
     last_line: Instant,
-    /// Steps and simulated seconds per second, smoothed.
-    rates: Option<(f64, f64)>,
+    /// Steps and simulated seconds per second: the mean so far, later the recent mean.
+    rates: (f64, f64),
 }
 
 impl Progress {
@@ -55,22 +32,20 @@ impl Progress {
         let now = Instant::now();
         let bar = (!voice.quiet && std::io::stderr().is_terminal()).then(|| {
             let bar = ProgressBar::with_draw_target(Some(1000), ProgressDrawTarget::stderr());
-            if let Ok(style) = ProgressStyle::with_template("{bar:30} {percent:>3}%  {msg}") {
+            if let Ok(style) = ProgressStyle::with_template("{bar:20} {wide_msg}") {
                 bar.set_style(style);
             }
             bar
         });
-        if bar.is_none() {
-            voice.say(&format!("t = {} of {}", seconds(time), seconds(end)));
-        }
         Self {
             bar,
             voice,
             particles: particles as u64,
             end,
+            begin: now,
             last: (now, step, time),
             last_line: now,
-            rates: None,
+            rates: (0.0, 0.0),
         }
     }
 
@@ -86,21 +61,20 @@ impl Progress {
             (step - self.last.1) as f64 / elapsed,
             (time - self.last.2) / elapsed,
         );
-        let weight = 1.0 - (-elapsed / MEMORY).exp();
-        let rates = self.rates.map_or(rate, |old| {
-            (
-                old.0 + weight * (rate.0 - old.0),
-                old.1 + weight * (rate.1 - old.1),
-            )
-        });
-        self.rates = Some(rates);
+        let so_far = (now - self.begin).as_secs_f64();
+        let weight = (1.0 - (-elapsed / MEMORY).exp()).max(elapsed / so_far);
+        self.rates.0 += weight * (rate.0 - self.rates.0);
+        self.rates.1 += weight * (rate.1 - self.rates.1);
         self.last = (now, step, time);
-        let left = (self.end - time).max(0.0) / rates.1.max(f64::MIN_POSITIVE);
+        let left = (self.end - time).max(0.0) / self.rates.1.max(f64::MIN_POSITIVE);
+        // What matters most stands first: a narrow terminal cuts the end off.
         let message = format!(
-            "step {step}  t = {}  {:.2} M particle-steps/s  {} left",
-            seconds(time),
-            rates.0 * self.particles as f64 * 1e-6,
+            "{:3.0} %  {} left  t = {} of {}  step {step}  {:.2} M particle-steps/s",
+            (100.0 * time / self.end).floor().min(100.0),
             duration(left),
+            seconds(time),
+            seconds(self.end),
+            self.rates.0 * self.particles as f64 * 1e-6,
         );
         match &self.bar {
             Some(bar) => {
@@ -109,8 +83,7 @@ impl Progress {
             }
             None if now - self.last_line >= LINE_EVERY => {
                 self.last_line = now;
-                self.voice
-                    .say(&format!("{:3.0} %  {message}", 100.0 * time / self.end));
+                self.voice.say(&message);
             }
             None => {}
         }
@@ -123,9 +96,11 @@ impl Progress {
             None => self.voice.say(line),
         }
     }
+}
 
+impl Drop for Progress {
     /// Takes the bar away.
-    pub fn finish(&self) {
+    fn drop(&mut self) {
         if let Some(bar) = &self.bar {
             bar.finish_and_clear();
         }
@@ -144,9 +119,32 @@ pub fn duration(seconds: f64) -> String {
     }
     let whole = seconds.round() as u64;
     match whole {
-        0..60 => format!("{whole} s"),
+        0..10 => format!("{seconds:.1} s"),
+        10..60 => format!("{whole} s"),
         60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
         3600..172_800 => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
         _ => format!("{} d {:02} h", whole / 86_400, whole / 3600 % 24),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::duration;
+
+    #[test]
+    fn durations_read_as_a_person_says_them() {
+        let said = [
+            (0.04, "0.0 s"),
+            (2.34, "2.3 s"),
+            (59.4, "59 s"),
+            (59.7, "1 min 00 s"),
+            (3599.0, "59 min 59 s"),
+            (7260.0, "2 h 01 min"),
+            (200_000.0, "2 d 07 h"),
+            (f64::INFINITY, "unknown time"),
+        ];
+        for (seconds, words) in said {
+            assert_eq!(duration(seconds), words);
+        }
     }
 }

@@ -3,20 +3,24 @@
 //! The paper's folder holds `reproduction.toml`: what to print, from which
 //! case, and what the paper and theory say.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
 use meniscus_case::Case;
 use meniscus_output::RunFolder;
-use meniscus_report::number::significant;
-use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
-use crate::failure::Failure;
+use crate::conclude::write_report;
+use crate::failure::{Failure, NOT_REPRODUCED};
 use crate::findings::Finding;
-use crate::progress::{Voice, duration};
-use crate::{runner, table};
+use crate::progress::duration;
+use crate::record::Status;
+use crate::terminal::{Voice, answer, complain};
+use crate::verdict::{Row, Verdict, rows_as_table};
+use crate::{interrupt, runner};
 
 /// `reproduction.toml`
 #[derive(Deserialize)]
@@ -32,40 +36,33 @@ struct Reproduction {
 /// One number of the paper.
 #[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Number {
-    id: String,
+pub struct Number {
+    /// A name that does not change, for programs.
+    pub id: String,
     /// What it is, for the table.
-    about: String,
+    pub about: String,
     /// Case file beside `reproduction.toml`.
-    case: String,
+    pub case: String,
     /// Which finding of that case.
-    finding: String,
+    pub finding: String,
     /// Whether the finding is divided by what it is compared with.
     #[serde(default)]
-    ratio: bool,
+    pub ratio: bool,
     /// The paper's value, if it prints one.
-    published: Option<f64>,
+    pub published: Option<f64>,
     /// The exact value, if theory gives one.
-    theory: Option<f64>,
+    pub theory: Option<f64>,
     /// How far from the published value still counts as the same; without a
     /// published value, from theory's.
-    tolerance: f64,
+    pub tolerance: f64,
 }
 
-/// One line of the answer.
-#[derive(Serialize)]
-struct Row {
-    id: String,
-    about: String,
-    published: Option<f64>,
-    theory: Option<f64>,
-    computed: f64,
-    uncertainty: Option<f64>,
-    tolerance: f64,
-    verdict: &'static str,
-}
+/// What a case gave, or why it gave nothing.
+type Outcome = Result<Vec<Finding>, String>;
 
-/// Runs all cases of `paper`, several at a time, one thread each.
+/// Runs all cases of `paper`, several at a time.
+///
+/// A case that fails costs its own numbers only.
 pub fn reproduce(
     paper: &Path,
     json: bool,
@@ -83,159 +80,166 @@ pub fn reproduce(
         || Path::new("out").join("reproduce").join(name),
         Path::to_path_buf,
     );
-    let begin = std::time::Instant::now();
-    let findings = run_cases(&plan, paper, &root, force, json, voice)?;
-    let rows: Vec<Row> = plan
-        .number
-        .iter()
-        .map(|number| judge(number, &findings))
-        .collect::<Result<_, _>>()?;
+    let begin = Instant::now();
+    let jobs = claim(&plan, paper, &root, force, voice)?;
+    // Standard output of --json belongs to the JSON.
+    let tell = |line: &str| match json {
+        true if voice.quiet => {}
+        true => complain(line),
+        false => voice.say(line),
+    };
+    let outcomes = run_all(jobs, &tell);
+    let (mut rows, mut problems) = (Vec::new(), Vec::new());
+    for number in &plan.number {
+        let found = value_of(number, outcomes.get(&number.case));
+        problems.extend(found.as_ref().err().cloned());
+        rows.push(Row::judge(number, found.ok()));
+    }
     if json {
-        let text = serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(e.to_string()))?;
-        println!("{text}");
+        answer(&serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(e.to_string()))?)?;
     } else {
-        println!("\n{}", plan.title);
-        print(&rows);
-        for remark in &plan.remarks {
-            println!("\n{remark}");
-        }
-        println!(
-            "\nall cases in {}; their reports are in {}",
+        let remarks: String = plan.remarks.iter().map(|r| format!("\n\n{r}")).collect();
+        let table = rows_as_table(&rows);
+        answer(&format!("\n{}\n\n{table}{remarks}\n", plan.title))?;
+        voice.say(&format!(
+            "all cases in {}; their reports are in {}",
             duration(begin.elapsed().as_secs_f64()),
             root.display()
-        );
+        ));
     }
-    let all = rows.iter().all(|row| row.verdict == "reproduced");
-    Ok(if all {
-        ExitCode::SUCCESS
+    for problem in &problems {
+        complain(&format!("error: {problem}"));
+    }
+    let failed = [Verdict::Differs, Verdict::NotComputed];
+    Ok(if interrupt::asked() {
+        ExitCode::from(interrupt::EXIT_CODE)
+    } else if rows.iter().any(|row| failed.contains(&row.verdict)) {
+        ExitCode::from(NOT_REPRODUCED)
     } else {
-        ExitCode::from(2)
+        ExitCode::SUCCESS
     })
 }
 
-fn run_cases(
+/// A case to run, under its file's name, with its folder.
+struct Job {
+    name: String,
+    case: Case,
+    folder: RunFolder,
+}
+
+/// All cases, the costliest first, each with its folder: nothing runs before
+/// every case is read and every folder is free.
+fn claim(
     plan: &Reproduction,
     paper: &Path,
     root: &Path,
     force: bool,
-    json: bool,
     voice: Voice,
-) -> Result<BTreeMap<String, Vec<Finding>>, Failure> {
-    let mut cases = BTreeMap::new();
+) -> Result<VecDeque<Job>, Failure> {
+    let mut cases: Vec<(&str, Case)> = Vec::new();
     for number in &plan.number {
-        if !cases.contains_key(&number.case) {
+        if cases.iter().all(|(name, _)| *name != number.case) {
             let case = Case::from_file(&paper.join(&number.case))?;
-            let cost = case.particle_count() as f64 * case.end_time;
-            cases.insert(number.case.clone(), (case, cost));
+            voice.warn_of(&case);
+            cases.push((&number.case, case));
         }
     }
-    let mut cases: Vec<(String, (Case, f64))> = cases.into_iter().collect();
     // The longest first, so that none is left over alone at the end.
-    cases.sort_by(|a, b| b.1.1.total_cmp(&a.1.1));
-    // All folders are claimed before the first run begins.
-    let mut jobs = Vec::new();
-    for (name, (case, _)) in cases {
-        let folder = RunFolder::create(&root.join(&case.name), case.to_toml(), force)?;
-        jobs.push((name, case, folder));
+    let cost = |case: &Case| case.particle_count() as f64 * case.end_time;
+    cases.sort_by(|a, b| cost(&b.1).total_cmp(&cost(&a.1)));
+    cases
+        .into_iter()
+        .map(|(name, case)| {
+            Ok(Job {
+                folder: RunFolder::create(&root.join(&case.name), case.to_toml(), force)?,
+                name: name.to_owned(),
+                case,
+            })
+        })
+        .collect()
+}
+
+/// Runs the jobs side by side, the threads of this pool shared out among them.
+fn run_all(jobs: VecDeque<Job>, tell: &(dyn Fn(&str) + Sync)) -> BTreeMap<String, Outcome> {
+    let threads = rayon::current_num_threads();
+    let workers = threads.min(jobs.len()).max(1);
+    let queue = Mutex::new(jobs);
+    let outcomes = Mutex::new(BTreeMap::new());
+    std::thread::scope(|scope| {
+        for worker in 0..workers {
+            let share = threads / workers + usize::from(worker < threads % workers);
+            let (queue, outcomes) = (&queue, &outcomes);
+            scope.spawn(move || {
+                loop {
+                    let next = queue
+                        .lock()
+                        .unwrap_or_else(PoisonError::into_inner)
+                        .pop_front();
+                    let Some(job) = next else { break };
+                    let outcome = run_one(&job, share, tell);
+                    let mut all = outcomes.lock().unwrap_or_else(PoisonError::into_inner);
+                    all.insert(job.name, outcome);
+                }
+            });
+        }
+    });
+    outcomes
+        .into_inner()
+        .unwrap_or_else(PoisonError::into_inner)
+}
+
+fn run_one(job: &Job, threads: usize, tell: &(dyn Fn(&str) + Sync)) -> Outcome {
+    if interrupt::asked() {
+        return Err(format!("{}: not run", job.case.name));
     }
     let silent = Voice {
         quiet: true,
         verbose: false,
     };
-    jobs.into_par_iter()
-        .with_max_len(1)
-        .map(|(name, case, folder)| {
-            let alone = rayon::ThreadPoolBuilder::new()
-                .num_threads(1)
-                .build()
-                .map_err(|error| Failure::new(format!("cannot start a thread: {error}")))?;
-            let record = alone.install(|| runner::start(&case, &folder, silent))?;
-            if !json {
-                voice.say(&format!("{}: {}", case.name, runner::speed_line(&record)));
-            }
-            if record.status != "complete" {
-                return Err(Failure::new(format!("{} was interrupted", case.name)));
-            }
-            Ok((name, record.findings))
-        })
-        .collect()
+    let run = || -> Result<Vec<Finding>, Failure> {
+        let mut record = runner::start(&job.case, &job.folder, silent)?;
+        let measured = write_report(&job.case, &job.folder, &mut record)?;
+        if record.status != Status::Complete {
+            return Err(Failure::new("interrupted".into()));
+        }
+        tell(&format!("{}: {}", job.case.name, record.speed()));
+        Ok(measured.numbers)
+    };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|error| Failure::new(format!("cannot start threads: {error}")))
+        .and_then(|pool| pool.install(run))
+        .map_err(|failure| format!("{}: {}", job.case.name, failure.message()))
 }
 
-fn judge(number: &Number, findings: &BTreeMap<String, Vec<Finding>>) -> Result<Row, Failure> {
-    let finding = findings
-        .get(&number.case)
-        .and_then(|all| all.iter().find(|finding| finding.id == number.finding))
-        .ok_or_else(|| {
-            let known: Vec<&str> = findings
-                .get(&number.case)
-                .into_iter()
-                .flatten()
-                .map(|f| f.id.as_str())
-                .collect();
-            Failure::new(format!(
-                "{}: {} measured no \"{}\"; it measured {}",
-                number.id,
-                number.case,
-                number.finding,
-                known.join(", ")
-            ))
-        })?;
+/// The number that a case found for a line of the table, and its uncertainty.
+fn value_of(number: &Number, outcome: Option<&Outcome>) -> Result<(f64, Option<f64>), String> {
+    let findings = match outcome {
+        Some(Ok(findings)) => findings,
+        Some(Err(reason)) => return Err(format!("{}: no value: {reason}", number.id)),
+        None => return Err(format!("{}: {} was not run", number.id, number.case)),
+    };
+    let Some(finding) = findings.iter().find(|found| found.id == number.finding) else {
+        let known: Vec<&str> = findings.iter().map(|found| found.id.as_str()).collect();
+        return Err(format!(
+            "{}: {} found no \"{}\"; it found {}",
+            number.id,
+            number.case,
+            number.finding,
+            known.join(", ")
+        ));
+    };
     let divisor = match (&finding.reference, number.ratio) {
-        (Some((_, value)), true) => *value,
-        _ => 1.0,
+        (_, false) => 1.0,
+        (Some((_, value)), true) if *value != 0.0 => *value,
+        (_, true) => {
+            return Err(format!(
+                "{}: ratio = true, but \"{}\" of {} has nothing to be divided by",
+                number.id, number.finding, number.case
+            ));
+        }
     };
-    let computed = finding.computed / divisor;
-    let verdict = match number.published.or(number.theory) {
-        Some(value) if (computed - value).abs() <= number.tolerance => "reproduced",
-        Some(_) => "differs",
-        None => "shown",
-    };
-    Ok(Row {
-        id: number.id.clone(),
-        about: number.about.clone(),
-        published: number.published,
-        theory: number.theory,
-        computed,
-        uncertainty: finding.uncertainty.map(|half| half / divisor),
-        tolerance: number.tolerance,
-        verdict,
-    })
-}
-
-fn print(rows: &[Row]) {
-    let shown = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| significant(v, 4));
-    let signed = |value: f64| format!("{value:+.3}");
-    let cells: Vec<Vec<String>> = rows
-        .iter()
-        .map(|row| {
-            vec![
-                row.about.clone(),
-                shown(row.published),
-                shown(row.theory),
-                format!("{:.4}", row.computed),
-                row.uncertainty
-                    .map_or_else(String::new, |half| format!("{half:.4}")),
-                row.published
-                    .map_or_else(String::new, |v| signed(row.computed - v)),
-                row.theory
-                    .map_or_else(String::new, |v| signed(row.computed - v)),
-                significant(row.tolerance, 2),
-                row.verdict.to_owned(),
-            ]
-        })
-        .collect();
-    table::print(
-        &[
-            "number",
-            "published",
-            "theory",
-            "computed",
-            "+-",
-            "to published",
-            "to theory",
-            "tolerance",
-            "verdict",
-        ],
-        &cells,
-    );
+    let uncertainty = finding.uncertainty.map(|half| half / divisor.abs());
+    Ok((finding.computed / divisor, uncertainty))
 }

@@ -18,6 +18,9 @@ const MOST_BODIES: usize = 8;
 pub struct Sampler<'a, const D: usize> {
     case: &'a Case,
     sensors: Vec<Sensor<D>>,
+    /// What the columns of each body and sensor are named by.
+    body_names: Vec<String>,
+    sensor_names: Vec<String>,
     /// Bodies whose shape is followed: none where the flow is periodic, since
     /// a body may then lie on both sides of the box.
     bodies: usize,
@@ -34,6 +37,11 @@ impl<'a, const D: usize> Sampler<'a, D> {
         let periodic = case.periodic.iter().any(Option::is_some);
         Self {
             case,
+            body_names: names("body", case.bodies.iter().map(|body| body.name.as_str())),
+            sensor_names: names(
+                "sensor",
+                case.measure.sensors.iter().map(|s| s.name.as_str()),
+            ),
             sensors: case.measure.sensors.iter().map(|s| sensor(s.at)).collect(),
             bodies: if periodic {
                 0
@@ -59,6 +67,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
             Column::new("kinetic energy", &per("J")),
             Column::new("compression energy", &per("J")),
             Column::new("surface energy", &per("J")),
+            Column::new("shape energy", &per("J")),
         ];
         for axis in &AXES[..D] {
             columns.push(Column::new(&format!("momentum {axis}"), &per("kg m/s")));
@@ -84,8 +93,8 @@ impl<'a, const D: usize> Sampler<'a, D> {
             }
             columns.push(Column::new(&self.of_body(body, "inner pressure"), "Pa"));
         }
-        for sensor in &self.case.measure.sensors {
-            columns.push(Column::new(&format!("pressure at {}", sensor.name), "Pa"));
+        for name in &self.sensor_names {
+            columns.push(Column::new(&format!("pressure at {name}"), "Pa"));
         }
         columns
     }
@@ -94,7 +103,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
     fn of_body(&self, body: usize, quantity: &str) -> String {
         match self.case.bodies.len() {
             1 => quantity.to_owned(),
-            _ => format!("{} {quantity}", self.case.bodies[body].name),
+            _ => format!("{} {quantity}", self.body_names[body]),
         }
     }
 
@@ -112,8 +121,8 @@ impl<'a, const D: usize> Sampler<'a, D> {
                     p.mass[i] * specific_compression_energy(p.density[i], fluid)
                 })
                 .sum(),
-            self.surface_energy(p),
         ];
+        row.extend(self.surface_energy(p));
         row.extend(linear_momentum(&p.velocity, &p.mass).0);
         row.push(angular_momentum(&p.position, &p.velocity, &p.mass, centre)[2]);
         row.extend(centre.0);
@@ -141,20 +150,40 @@ impl<'a, const D: usize> Sampler<'a, D> {
         row
     }
 
-    /// Surface tension times the surface of each body's ellipse or ellipsoid of equal moments.
-    fn surface_energy(&self, particles: &Particles<D>) -> f64 {
+    /// Surface tension times the surface of each body's ellipse or ellipsoid of
+    /// equal moments; and the part above that of the circle or sphere of the
+    /// same volume, which only a change of shape sets free.
+    fn surface_energy(&self, particles: &Particles<D>) -> [f64; 2] {
         if self.bodies < self.case.bodies.len() {
-            return f64::NAN;
+            return [f64::NAN; 2];
         }
-        (0..self.bodies)
-            .map(|body| {
-                let rows = BodyColumns::of(particles, body);
-                let sigma = self.case.fluids[self.case.bodies[body].fluid].surface_tension;
-                PrincipalAxes::by_moments(&rows.position, &rows.mass)
-                    .map_or(f64::NAN, |axes| surface_energy(axes.semi_axes, sigma))
-            })
-            .sum()
+        let mut sums = [0.0; 2];
+        for body in 0..self.bodies {
+            let rows = BodyColumns::of(particles, body);
+            let sigma = self.case.fluids[self.case.bodies[body].fluid].surface_tension;
+            let axes = PrincipalAxes::by_moments(&rows.position, &rows.mass)
+                .map_or([f64::NAN; D], |axes| axes.semi_axes);
+            let round = axes.iter().product::<f64>().powf(1.0 / D as f64);
+            let energy = surface_energy(axes, sigma);
+            sums[0] += energy;
+            sums[1] += energy - surface_energy([round; D], sigma);
+        }
+        sums
     }
+}
+
+/// Names that may stand in the header of a series, each once: where two are
+/// the same, or differ only in what a header cannot hold, all go by number.
+fn names<'a>(kind: &str, given: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let clean = |name: &str| -> String {
+        let bad = |c: char| c == ',' || c == '"' || c.is_control();
+        name.chars().map(|c| if bad(c) { ' ' } else { c }).collect()
+    };
+    let names: Vec<String> = given.map(clean).collect();
+    if (1..names.len()).any(|i| names[..i].contains(&names[i])) {
+        return (1..=names.len()).map(|k| format!("{kind} {k}")).collect();
+    }
+    names
 }
 
 /// Columns of the particles that started in one body.
@@ -214,5 +243,22 @@ pub fn frame<const D: usize>(simulation: &Simulation<D>) -> Frame {
         dimension: D,
         positions: order.iter().map(|&i| p.position[i].to_3d()).collect(),
         fields,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::names;
+
+    #[test]
+    fn columns_have_names_that_a_header_can_hold_each_once() {
+        let of = |given: &[&str]| names("body", given.iter().copied());
+        assert_eq!(of(&["left, upper", "right"]), ["left  upper", "right"]);
+        assert_eq!(
+            of(&["drop", "wall", "drop"]),
+            ["body 1", "body 2", "body 3"]
+        );
+        assert_eq!(of(&["a,b", "a\"b"]), ["body 1", "body 2"]);
+        assert!(of(&[]).is_empty());
     }
 }

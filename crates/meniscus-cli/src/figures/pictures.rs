@@ -1,0 +1,80 @@
+//! Pictures of the particles at chosen times.
+
+use meniscus_case::Case;
+use meniscus_output::{Frame, FrameReader};
+use meniscus_report::{Direction, Figure, ParticlePictures, Snapshot, View};
+
+use super::evenly;
+use crate::failure::Failure;
+use crate::findings::Findings;
+
+/// Panels of a figure.
+const PANELS: usize = 6;
+
+/// Pressure and speed: over the first period of an oscillation, else over the whole run.
+pub fn figures(
+    case: &Case,
+    reader: &FrameReader,
+    measured: &Findings,
+) -> Result<Vec<Figure>, Failure> {
+    let Some(&end) = reader.times().last() else {
+        return Ok(Vec::new());
+    };
+    let period = measured.fit.as_ref().map(|fit| fit.period().value);
+    let span = period.map_or(end, |period| period.min(end));
+    let frames = evenly(reader.times(), 0.0, span, PANELS)
+        .into_iter()
+        .map(|k| reader.read(k))
+        .collect::<Result<Vec<Frame>, _>>()?;
+    let (inside, outside) = match case.dimension {
+        2 => ("", ""),
+        _ => (" In a slice through the middle.", " Seen from the side."),
+    };
+    Ok(vec![
+        pictures(case, &frames, "Pressure", "Pa")
+            .view(slice(case, &frames))
+            .figure(
+                "pressure",
+                &format!("Particles coloured by pressure.{inside}"),
+            ),
+        pictures(case, &frames, "Speed", "m/s")
+            .view(View::Whole(direction(case)))
+            .figure("speed", &format!("Particles coloured by speed.{outside}")),
+    ])
+}
+
+fn pictures(case: &Case, frames: &[Frame], label: &str, unit: &str) -> ParticlePictures {
+    let name = label.to_lowercase();
+    let snapshot = |frame: &Frame| Snapshot {
+        time: frame.time,
+        positions: frame.positions.clone(),
+        diameter: case.spacing,
+        values: (frame.fields.iter().find(|field| field.name == name))
+            .map(|field| field.values.clone())
+            .unwrap_or_default(),
+    };
+    let empty = ParticlePictures::new(label, unit);
+    (frames.iter().map(snapshot)).fold(empty, ParticlePictures::with)
+}
+
+/// In three dimensions along y, z upwards.
+fn direction(case: &Case) -> Direction {
+    if case.dimension == 2 {
+        Direction::Z
+    } else {
+        Direction::Y
+    }
+}
+
+/// What shows the inside: everything in 2D, in 3D a layer through the mean position.
+fn slice(case: &Case, frames: &[Frame]) -> View {
+    if case.dimension == 2 {
+        return View::Whole(direction(case));
+    }
+    let depths = || (frames.iter().flat_map(|frame| &frame.positions)).map(|x| x[1]);
+    View::Slice {
+        direction: direction(case),
+        at: depths().sum::<f64>() / depths().count().max(1) as f64,
+        thickness: 1.2 * case.spacing,
+    }
+}
