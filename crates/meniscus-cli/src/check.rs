@@ -17,7 +17,7 @@ use crate::progress::{duration, seconds};
 use crate::terminal::{Voice, answer};
 
 /// Steps are timed for this long, s.
-const TRIAL: f64 = 1.0;
+const TRIAL: f64 = 0.5;
 
 /// Prints what there is to know of a case.
 pub fn check(path: &Path, voice: Voice) -> Result<ExitCode, Failure> {

@@ -144,13 +144,7 @@ fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
             findings.add("period", "period", "s", period, fit.period());
             let viscous = theory.as_ref().and_then(|t| t.viscous);
             let rate = viscous.map(|v| ("linear viscous theory", v.damping_rate));
-            findings.add(
-                "damping-rate",
-                "damping rate",
-                "1/s",
-                rate,
-                fit.damping_rate,
-            );
+            findings.add("damping-rate", "damping rate", "/s", rate, fit.damping_rate);
             findings.fit = Some(fit);
         }
     }

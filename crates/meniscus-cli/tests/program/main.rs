@@ -1,0 +1,10 @@
+//! The program as its user meets it: commands, files, words and exit codes.
+
+#![cfg(unix)]
+
+mod commands;
+mod divergence;
+mod reproduce;
+mod resume;
+mod run;
+mod workplace;
