@@ -6,7 +6,7 @@ use crate::fluid::Fluid;
 use crate::pairs::Domain;
 use crate::particles::Particles;
 use crate::physics::continuity::Continuity;
-use crate::physics::momentum::Momentum;
+use crate::physics::momentum::{Mixture, Momentum};
 use crate::rates::{Rates, momentum};
 use crate::reference;
 use crate::vector::Vector;
@@ -143,7 +143,7 @@ pub(crate) fn diagnose<const D: usize>(
     time: f64,
     i: usize,
 ) -> Culprit {
-    let whole = momentum(&rates.scheme, &rates.fluids);
+    let whole = momentum(&rates.scheme, &rates.fluids, Mixture(&rates.fluids));
     let none = Momentum {
         pressure: None,
         artificial_viscosity: 0.0,
@@ -151,7 +151,7 @@ pub(crate) fn diagnose<const D: usize>(
         ..whole
     };
     let (kernel, h) = (rates.scheme.kernel, rates.scheme.smoothing_length);
-    let alone = |term: Momentum| reference::sum(&term, kernel, h, domain, particles, i);
+    let alone = |term: Momentum<Mixture>| reference::sum(&term, kernel, h, domain, particles, i);
     let body_force = (rates.scheme.body_force.as_ref())
         .map_or(Vector::ZERO, |force| Vector::from_3d(force.at(time)));
     let parts = [

@@ -8,7 +8,7 @@ use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::continuity::Continuity;
 use crate::physics::equation_of_state::Tait;
-use crate::physics::momentum::Momentum;
+use crate::physics::momentum::{Mixture, Momentum, OneFluid};
 use crate::physics::summation::Summation;
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::jancik_hyhlik::Surface;
@@ -61,13 +61,23 @@ pub(crate) struct Rates<const D: usize> {
     pub(crate) surface: Surface<D>,
     pub(crate) forces: Vec<Box<dyn Force<D>>>,
     equations_of_state: Vec<Tait>,
+    /// Mass of all particles, kg, where it is the same and there is one fluid.
+    one_mass: Option<f64>,
     scalars: Vec<f64>,
 }
 
 impl<const D: usize> Rates<D> {
-    pub(crate) fn new(scheme: Scheme, fluids: Vec<Fluid>, pairs: Pairs<D>) -> Self {
+    pub(crate) fn new(
+        scheme: Scheme,
+        fluids: Vec<Fluid>,
+        particles: &Particles<D>,
+        pairs: Pairs<D>,
+    ) -> Self {
+        let first = particles.mass.first().copied();
+        let same = particles.mass.iter().all(|&mass| Some(mass) == first);
         Self {
             equations_of_state: fluids.iter().map(Tait::new).collect(),
+            one_mass: first.filter(|_| same && fluids.len() == 1),
             scheme,
             fluids,
             pairs,
@@ -115,9 +125,22 @@ impl<const D: usize> Rates<D> {
     /// Acceleration at `time` seconds.
     pub(crate) fn accelerate(&mut self, particles: &mut Particles<D>, time: f64) {
         let mut acceleration = std::mem::take(&mut particles.acceleration);
-        let term = momentum(&self.scheme, &self.fluids);
-        self.pairs
-            .sweep(&term, particles, |_| true, &mut acceleration);
+        match self.one_mass {
+            Some(mass) => {
+                let material = OneFluid {
+                    mass,
+                    fluid: &self.fluids[0],
+                };
+                let term = momentum(&self.scheme, &self.fluids, material);
+                self.pairs
+                    .sweep(&term, particles, |_| true, &mut acceleration);
+            }
+            None => {
+                let term = momentum(&self.scheme, &self.fluids, Mixture(&self.fluids));
+                self.pairs
+                    .sweep(&term, particles, |_| true, &mut acceleration);
+            }
+        }
         if let Some(SurfaceTension::JancikHyhlik(model)) = self.scheme.surface_tension {
             model.accelerate(
                 &mut self.pairs,
@@ -157,10 +180,10 @@ impl<const D: usize> Rates<D> {
 }
 
 /// The terms of the momentum equation that `scheme` has for `fluids`.
-pub(crate) fn momentum<'a>(scheme: &Scheme, fluids: &'a [Fluid]) -> Momentum<'a> {
+pub(crate) fn momentum<M>(scheme: &Scheme, fluids: &[Fluid], material: M) -> Momentum<M> {
     let viscous = fluids.iter().any(|fluid| fluid.viscosity != 0.0);
     Momentum {
-        fluids,
+        material,
         pressure: Some(scheme.pressure),
         artificial_viscosity: scheme.artificial_viscosity,
         viscosity: viscous.then_some(scheme.viscosity),

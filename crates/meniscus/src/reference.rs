@@ -51,9 +51,9 @@ fn for_each_image<const D: usize>(
     visit: &mut impl FnMut(Vector<f64, D>),
 ) {
     let mut copies = [(0_i64, 0.0); D];
-    for d in 0..D {
-        if let Some((low, high)) = domain.periodic[d] {
-            copies[d] = ((support / (high - low)).ceil() as i64 + 1, high - low);
+    for (copies, axis) in copies.iter_mut().zip(domain.periodic) {
+        if let Some((low, high)) = axis {
+            *copies = ((support / (high - low)).ceil() as i64 + 1, high - low);
         }
     }
     let combinations: i64 = copies.iter().map(|(n, _)| 2 * n + 1).product();

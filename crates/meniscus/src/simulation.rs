@@ -17,8 +17,13 @@ use crate::time::integrator::{drift, kick, kick_drift};
 use crate::time::step::StepLimits;
 use crate::vector::Vector;
 
-/// How far lists reach beyond the kernel, in spacings.
-const SKIN: f64 = 0.4;
+/// Skin of the first lists, and bounds of all later ones, in spacings.
+const SKIN: f64 = 0.1;
+const LEAST_SKIN: f64 = 0.02;
+const LARGEST_SKIN: f64 = 0.5;
+
+/// Cost of new lists over that of one step's sweeps, as measured in 2D and 3D.
+const COST_OF_LISTS: f64 = 0.3;
 
 /// An adaptive step shorter than this part of h / c counts as collapsed.
 const COLLAPSED: f64 = 1e-4;
@@ -63,6 +68,8 @@ pub struct Simulation<const D: usize> {
     pub(crate) steps: u64,
     pub(crate) next_step: f64,
     pub(crate) limits: StepLimits,
+    /// Of the last velocities, m/s.
+    largest_speed: f64,
     pub(crate) table: Table<D>,
 }
 
@@ -119,14 +126,15 @@ impl<const D: usize> Simulation<D> {
         let support = scheme.kernel.support() * scheme.smoothing_length;
         let limits = StepLimits::new(&fluids, scheme.smoothing_length, support, 0.0, 0.0);
         Ok(Self {
+            rates: Rates::new(scheme, fluids, &particles, pairs),
             particles,
-            rates: Rates::new(scheme, fluids, pairs),
             domain,
             spacing,
             time: 0.0,
             steps: 0,
             next_step: 0.0,
             limits,
+            largest_speed: 0.0,
             table: Space::table(),
         })
     }
@@ -161,8 +169,21 @@ impl<const D: usize> Simulation<D> {
 
     fn refresh_lists(&mut self) {
         if self.rates.pairs.is_stale(&self.particles) {
+            let skin = self.best_skin();
+            self.rates.pairs.set_skin(skin);
             (self.table.rebuild)(&mut self.rates.pairs, &mut self.particles);
         }
+    }
+
+    /// The skin s that makes sweeps and new lists together cheapest, m: with a
+    /// motion of u a step, lists live s / (2 u) steps, and a sweep costs
+    /// 1 + s D / (support + spacing) of its cost without a skin.
+    fn best_skin(&self) -> f64 {
+        let scheme = &self.rates.scheme;
+        let reach = scheme.kernel.support() * scheme.smoothing_length + self.spacing;
+        let motion = self.largest_speed * self.next_step;
+        let best = (2.0 * motion * COST_OF_LISTS * reach / D as f64).sqrt();
+        best.clamp(LEAST_SKIN * self.spacing, LARGEST_SKIN * self.spacing)
     }
 
     /// Marches until `time` in s is reached or passed.
@@ -176,19 +197,20 @@ impl<const D: usize> Simulation<D> {
         Ok(())
     }
 
-    fn choose_step(&mut self) {
+    pub(crate) fn choose_step(&mut self) {
         let scheme = &self.rates.scheme;
-        let largest = |column: &Vec<Vector<f64, D>>| {
+        let largest = |column: &[Vector<f64, D>]| {
             (column.par_iter().with_min_len(ROWS_PER_TASK))
                 .map(Vector::norm_squared)
                 .reduce(|| 0.0, f64::max)
                 .sqrt()
         };
+        self.largest_speed = largest(&self.particles.velocity);
         self.limits = StepLimits::new(
             &self.rates.fluids,
             scheme.smoothing_length,
             scheme.kernel.support() * scheme.smoothing_length,
-            largest(&self.particles.velocity),
+            self.largest_speed,
             largest(&self.particles.acceleration),
         );
         self.next_step = match scheme.time_step {

@@ -22,6 +22,8 @@ pub struct Snapshot {
     pub position: Vec<f64>,
     /// Positions when the neighbour lists were built, m: the order of summation depends on them.
     pub reference: Vec<f64>,
+    /// How far these lists reach beyond the kernel's support, m.
+    pub skin: f64,
     /// Velocities, m/s.
     pub velocity: Vec<f64>,
     /// Accelerations, m/s^2.
@@ -42,6 +44,7 @@ impl Snapshot {
             next_step: simulation.next_step,
             position: flatten(&particles.position),
             reference: flatten(simulation.rates.pairs.reference()),
+            skin: simulation.rates.pairs.skin(),
             velocity: flatten(&particles.velocity),
             acceleration: flatten(&particles.acceleration),
             density: particles.density.clone(),
@@ -89,6 +92,7 @@ impl<const D: usize> Simulation<D> {
         particles.velocity = unflatten(&snapshot.velocity);
         particles.acceleration = unflatten(&snapshot.acceleration);
         particles.density.copy_from_slice(&snapshot.density);
+        simulation.rates.pairs.set_skin(snapshot.skin);
         if !simulation
             .rates
             .pairs
@@ -101,6 +105,7 @@ impl<const D: usize> Simulation<D> {
         simulation.rates.update_pressure(&mut simulation.particles);
         simulation.time = snapshot.time;
         simulation.steps = snapshot.steps;
+        simulation.choose_step();
         simulation.next_step = snapshot.next_step;
         Ok(simulation)
     }

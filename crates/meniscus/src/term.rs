@@ -12,8 +12,8 @@ use crate::vector::Vector;
 
 /// A fixed number of reals with names: what a pair reads or adds up.
 ///
-/// Implemented for one real, for a [`Vector`], and by [`record!`](crate::record)
-/// for structs of those.
+/// Implemented for nothing, one real, a [`Vector`], pairs of records, and by
+/// [`record!`](crate::record) for structs.
 pub trait Record<R: Real>: Copy + Send + Sync {
     /// How many reals it holds.
     const LENGTH: usize;
@@ -32,6 +32,28 @@ impl<R: Real> Record<R> for R {
     #[inline(always)]
     fn write(&self, put: &mut impl FnMut(R)) {
         put(*self);
+    }
+}
+
+impl<R: Real> Record<R> for () {
+    const LENGTH: usize = 0;
+    #[inline(always)]
+    fn read(_: &mut impl FnMut() -> R) {}
+    #[inline(always)]
+    fn write(&self, _: &mut impl FnMut(R)) {}
+}
+
+impl<R: Real, A: Record<R>, B: Record<R>> Record<R> for (A, B) {
+    const LENGTH: usize = A::LENGTH + B::LENGTH;
+    #[inline(always)]
+    fn read(next: &mut impl FnMut() -> R) -> Self {
+        let first = A::read(next);
+        (first, B::read(next))
+    }
+    #[inline(always)]
+    fn write(&self, put: &mut impl FnMut(R)) {
+        self.0.write(put);
+        self.1.write(put);
     }
 }
 

@@ -7,7 +7,7 @@
 use meniscus::fluid::Fluid;
 use meniscus::pairs::{Instructions, Pairs};
 use meniscus::physics::continuity::Continuity;
-use meniscus::physics::momentum::{Momentum, PressureForm};
+use meniscus::physics::momentum::{Mixture, Momentum, OneFluid, PressureForm};
 use meniscus::physics::surface_tension::jancik_hyhlik::{Colour, Curvature, Normal};
 use meniscus::physics::viscosity::ViscosityForm;
 use meniscus::term::{Record, Sweep};
@@ -203,13 +203,37 @@ fn check<const D: usize>(cloud: &Cloud) -> Result<(), TestCaseError> {
     ];
     for (pressure, viscosity) in forms {
         let momentum = Momentum {
-            fluids: &fluids,
+            material: Mixture(&fluids),
             pressure: Some(pressure),
             artificial_viscosity: 0.1,
             viscosity: Some(viscosity),
             smoothing_length: cloud.smoothing_length,
         };
         compare("momentum", &momentum, cloud, &domain, &mut pairs, p)?;
+        let material = OneFluid {
+            mass: 1.3,
+            fluid: &fluids[0],
+        };
+        let Momentum {
+            artificial_viscosity,
+            smoothing_length,
+            ..
+        } = momentum;
+        let momentum = Momentum {
+            material,
+            pressure: Some(pressure),
+            artificial_viscosity,
+            viscosity: Some(viscosity),
+            smoothing_length,
+        };
+        compare(
+            "momentum of one fluid",
+            &momentum,
+            cloud,
+            &domain,
+            &mut pairs,
+            p,
+        )?;
     }
     Ok(())
 }

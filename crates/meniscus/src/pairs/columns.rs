@@ -1,30 +1,73 @@
-//! Particles sorted into columns: a grid over all axes but the last, walked
-//! like a snake, each column sorted along the last axis. Neighbours in this
-//! order are neighbours in space, which makes clusters compact.
+//! Particles sorted into columns: a grid of cells whose columns, along the
+//! last axis, are walked like a snake; within a cell particles are sorted
+//! along that axis. Neighbours in this order are neighbours in space, which
+//! makes clusters compact.
 
-use rayon::prelude::*;
+use fearless_simd::Simd;
 
+use super::lane::{Lane, WIDTH};
+use crate::real::Real;
 use crate::vector::Vector;
 
-/// A sorted set of points and where each column of it begins.
+/// Cells with more points than this are sorted by the library, not by insertion.
+const SMALL_CELL: usize = 32;
+/// Cells are sorted in parallel where there are at least this many points.
+const POINTS_PER_TASK: usize = 4096;
+
+/// A sorted set of points and where each cell of it begins.
 #[derive(Debug)]
 pub(crate) struct Columns<const D: usize> {
-    /// Wanted width of a column, m.
+    /// Wanted width of a cell, m.
     preferred_width: f64,
     width: f64,
     origin: [f64; D],
-    /// Columns along each axis but the last, whose entry is 1.
+    /// Cells along each axis.
     counts: [usize; D],
-    /// First point of column `c`, in sorted order; one entry more than columns.
+    /// First point of each cell, in sorted order; one entry more than cells.
     starts: Vec<u32>,
     /// Column of each point, in sorted order.
     column: Vec<u32>,
-    /// Last coordinate of each sorted point, negated in columns that run down.
-    depth: Vec<f64>,
+    /// Sorted coordinates, axis by axis, with a lane of infinities at the end.
+    coordinates: [Vec<f64>; D],
     /// Original index of each sorted point.
     order: Vec<u32>,
-    keys: Vec<(f64, u32)>,
-    unsorted_column: Vec<u32>,
+    unsorted_cell: Vec<u32>,
+}
+
+/// Entries of neighbour lists, growing without giving memory back.
+#[derive(Debug, Default)]
+pub(crate) struct Entries {
+    slots: Vec<u32>,
+    pub(crate) length: usize,
+}
+
+impl Entries {
+    pub(crate) fn as_slice(&self) -> &[u32] {
+        &self.slots[..self.length]
+    }
+
+    pub(crate) fn as_mut_slice(&mut self) -> &mut [u32] {
+        &mut self.slots[..self.length]
+    }
+
+    pub(crate) fn bytes(&self) -> usize {
+        self.slots.capacity() * size_of::<u32>()
+    }
+
+    /// Appends `first + lane` for each lane that holds, without a branch.
+    #[inline(always)]
+    fn append(&mut self, first: u32, holds: [bool; WIDTH]) {
+        if self.slots.len() < self.length + WIDTH {
+            self.slots.resize(self.slots.len() * 3 / 2 + 64, 0);
+        }
+        let slots = &mut self.slots[self.length..][..WIDTH];
+        let mut kept = 0;
+        for (lane, holds) in holds.into_iter().enumerate() {
+            slots[kept & (WIDTH - 1)] = first + lane as u32;
+            kept += usize::from(holds);
+        }
+        self.length += kept;
+    }
 }
 
 impl<const D: usize> Columns<D> {
@@ -36,49 +79,53 @@ impl<const D: usize> Columns<D> {
             counts: [1; D],
             starts: vec![0, 0],
             column: Vec::new(),
-            depth: Vec::new(),
+            coordinates: std::array::from_fn(|_| vec![f64::INFINITY; WIDTH]),
             order: Vec::new(),
-            keys: Vec::new(),
-            unsorted_column: Vec::new(),
+            unsorted_cell: Vec::new(),
         }
     }
 
     /// Sorts `points`; row `k` of the sorted set is the former row `order()[k]`.
     pub(crate) fn sort(&mut self, points: &[Vector<f64, D>]) {
         self.lay_grid(points);
-        let columns: usize = self.counts.iter().product();
+        let cells: usize = self.counts.iter().product();
         self.starts.clear();
-        self.starts.resize(columns + 1, 0);
-        self.unsorted_column.clear();
+        self.starts.resize(cells + 1, 0);
+        self.unsorted_cell.clear();
         for point in points {
-            let column = self.column_of(point);
-            self.unsorted_column.push(column as u32);
-            self.starts[column + 1] += 1;
+            let cell = self.cell_of(point);
+            self.unsorted_cell.push(cell);
+            self.starts[cell as usize + 1] += 1;
         }
-        for c in 0..columns {
+        for c in 0..cells {
             self.starts[c + 1] += self.starts[c];
         }
-        self.keys.clear();
-        self.keys.resize(points.len(), (0.0, 0));
-        for (i, point) in points.iter().enumerate() {
-            let column = self.unsorted_column[i] as usize;
+        self.order.clear();
+        self.order.resize(points.len(), 0);
+        for (i, &cell) in self.unsorted_cell.iter().enumerate() {
             // `starts` serves as the write position, and is moved back below.
-            let slot = self.starts[column] as usize;
-            self.starts[column] += 1;
-            self.keys[slot] = (direction(column) * point[D - 1], i as u32);
+            let slot = &mut self.starts[cell as usize];
+            self.order[*slot as usize] = i as u32;
+            *slot += 1;
         }
-        for c in (1..=columns).rev() {
+        for c in (1..=cells).rev() {
             self.starts[c] = self.starts[c - 1];
         }
         self.starts[0] = 0;
-        sort_columns(&mut self.keys, &self.starts);
-        self.depth.clear();
-        self.depth.extend(self.keys.iter().map(|key| key.0));
-        self.order.clear();
-        self.order.extend(self.keys.iter().map(|key| key.1));
+        let along = self.counts[D - 1];
+        sort_cells(&mut self.order, &self.starts, 0, &|cell, a, b| {
+            let sign = direction(cell / along);
+            let depth = |i: u32| sign * points[i as usize][D - 1];
+            depth(a).total_cmp(&depth(b))
+        });
         self.column.clear();
-        self.column
-            .extend(self.order.iter().map(|&i| self.unsorted_column[i as usize]));
+        let cells = &self.unsorted_cell;
+        (self.column).extend(self.order.iter().map(|&i| cells[i as usize] / along as u32));
+        for (d, column) in self.coordinates.iter_mut().enumerate() {
+            column.clear();
+            column.extend(self.order.iter().map(|&i| points[i as usize][d]));
+            column.extend([f64::INFINITY; WIDTH]);
+        }
     }
 
     /// Former row of each sorted row.
@@ -91,25 +138,49 @@ impl<const D: usize> Columns<D> {
         self.column[row]
     }
 
-    /// Calls `found` with each sorted row whose point, in `points`, lies
-    /// within `reach` of the box from `low` to `high`, in a fixed order.
-    pub(crate) fn near_box(
+    /// Number of points.
+    pub(crate) fn len(&self) -> usize {
+        self.order.len()
+    }
+
+    /// Corners of the smallest box around these sorted rows.
+    pub(crate) fn bounds_of(&self, rows: std::ops::Range<usize>) -> ([f64; D], [f64; D]) {
+        let least = |column: &Vec<f64>| {
+            column[rows.clone()]
+                .iter()
+                .fold(f64::INFINITY, |a, &b| a.min(b))
+        };
+        let most = |column: &Vec<f64>| {
+            column[rows.clone()]
+                .iter()
+                .fold(f64::NEG_INFINITY, |a, &b| a.max(b))
+        };
+        (
+            self.coordinates.each_ref().map(least),
+            self.coordinates.each_ref().map(most),
+        )
+    }
+
+    /// Appends `offset` plus each sorted row within `reach` of the box from
+    /// `low` to `high`, in a fixed order.
+    #[inline(always)]
+    pub(crate) fn append_near<S: Simd>(
         &self,
-        points: &[Vector<f64, D>],
-        low: &[f64; D],
-        high: &[f64; D],
+        simd: S,
+        (low, high): &([f64; D], [f64; D]),
         reach: f64,
-        mut found: impl FnMut(u32),
+        offset: u32,
+        entries: &mut Entries,
     ) {
-        if points.is_empty() {
+        if self.order.is_empty() {
             return;
         }
         let reach_squared = reach * reach;
         let mut first = [0; 2];
         let mut last = [0; 2];
         for d in 0..D - 1 {
-            first[d] = self.cell(low[d] - reach, d);
-            last[d] = self.cell(high[d] + reach, d);
+            first[d] = self.cell_along(low[d] - reach, d);
+            last[d] = self.cell_along(high[d] + reach, d);
         }
         for ix in first[0]..=last[0] {
             let gap_x = self.gap(ix, 0, low, high);
@@ -123,43 +194,48 @@ impl<const D: usize> Columns<D> {
                 if left < 0.0 {
                     continue;
                 }
-                let column = self.ordinal(ix, iy);
-                let sign = direction(column);
-                let (a, b) = (sign * low[D - 1], sign * high[D - 1]);
                 let half = left.sqrt();
-                let from = a.min(b) - half;
-                let to = a.max(b) + half;
-                let start = self.starts[column] as usize;
-                let end = self.starts[column + 1] as usize;
-                let depth = &self.depth[start..end];
-                let skip = depth.partition_point(|&z| z < from);
-                for (k, &z) in depth.iter().enumerate().skip(skip) {
-                    if z > to {
-                        break;
+                let rows = self.rows(self.snake(ix, iy), low[D - 1] - half, high[D - 1] + half);
+                let mut row = rows.start;
+                while row < rows.end {
+                    let mut square = Lane::splat(simd, 0.0);
+                    for d in 0..D {
+                        let x = Lane::load_slice(simd, &self.coordinates[d][row..]);
+                        let gap = (-(x - low[d])).max(x - high[d]).positive();
+                        square = square + gap * gap;
                     }
-                    let row = start + k;
-                    if distance_squared_to_box(&points[row], low, high) <= reach_squared {
-                        found(row as u32);
-                    }
+                    let square = square.to_array();
+                    let left = rows.end - row;
+                    let holds = std::array::from_fn(|k| (square[k] <= reach_squared) & (k < left));
+                    entries.append(offset + row as u32, holds);
+                    row += WIDTH;
                 }
             }
         }
+    }
+
+    /// Sorted rows of the cells of a column from one depth to another.
+    #[inline(always)]
+    fn rows(&self, column: usize, from: f64, to: f64) -> std::ops::Range<usize> {
+        let along = self.counts[D - 1];
+        let (mut a, mut b) = (self.cell_along(from, D - 1), self.cell_along(to, D - 1));
+        if direction(column) < 0.0 {
+            (a, b) = (along - 1 - b, along - 1 - a);
+        }
+        let first = column * along;
+        self.starts[first + a] as usize..self.starts[first + b + 1] as usize
     }
 
     fn lay_grid(&mut self, points: &[Vector<f64, D>]) {
         let (low, high) = bounds(points);
         self.origin = low;
         self.width = self.preferred_width;
-        // A few stray particles far away must not cost a grid of empty columns.
-        let most = 4.0 * points.len() as f64 + 64.0;
+        // A few stray particles far away must not cost a grid of empty cells.
+        let most = 8.0 * points.len() as f64 + 64.0;
         loop {
-            let mut total = 1.0;
-            let mut counts = [1.0; D];
-            for d in 0..D - 1 {
-                // No place that is a number leaves -inf or NaN here.
-                counts[d] = (((high[d] - low[d]) / self.width).floor() + 1.0).max(1.0);
-                total *= counts[d];
-            }
+            let counts: [f64; D] =
+                std::array::from_fn(|d| ((high[d] - low[d]) / self.width).floor() + 1.0);
+            let total: f64 = counts.iter().product();
             if total <= most {
                 self.counts = counts.map(|c| c as usize);
                 return;
@@ -168,30 +244,49 @@ impl<const D: usize> Columns<D> {
                 self.counts = [1; D];
                 return;
             }
-            self.width *= 1.5;
+            self.width *= 1.25;
         }
     }
 
-    fn cell(&self, x: f64, d: usize) -> usize {
+    #[inline(always)]
+    fn cell_along(&self, x: f64, d: usize) -> usize {
         let cell = ((x - self.origin[d]) / self.width).max(0.0) as usize;
         cell.min(self.counts[d] - 1)
     }
 
-    fn column_of(&self, point: &Vector<f64, D>) -> usize {
-        let ix = self.cell(point[0], 0);
-        let iy = if D == 3 { self.cell(point[1], 1) } else { 0 };
-        self.ordinal(ix, iy)
+    fn cell_of(&self, point: &Vector<f64, D>) -> u32 {
+        let ix = self.cell_along(point[0], 0);
+        let iy = if D == 3 {
+            self.cell_along(point[1], 1)
+        } else {
+            0
+        };
+        let column = self.snake(ix, iy);
+        let along = self.counts[D - 1];
+        let depth = self.cell_along(point[D - 1], D - 1);
+        let depth = if direction(column) > 0.0 {
+            depth
+        } else {
+            along - 1 - depth
+        };
+        (column * along + depth) as u32
     }
 
     /// Place of a column on the snake's way.
-    fn ordinal(&self, ix: usize, iy: usize) -> usize {
+    #[inline(always)]
+    fn snake(&self, ix: usize, iy: usize) -> usize {
         let across = if D == 3 { self.counts[1] } else { 1 };
-        let iy = if ix % 2 == 0 { iy } else { across - 1 - iy };
+        let iy = if ix.is_multiple_of(2) {
+            iy
+        } else {
+            across - 1 - iy
+        };
         ix * across + iy
     }
 
     /// Distance along axis `d` between cell `cell` and the box; the outermost
     /// cells hold whatever lies beyond them by rounding.
+    #[inline(always)]
     fn gap(&self, cell: usize, d: usize, low: &[f64; D], high: &[f64; D]) -> f64 {
         let slack = 1e-9 * self.width;
         let left = self.origin[d] + cell as f64 * self.width - slack;
@@ -201,73 +296,66 @@ impl<const D: usize> Columns<D> {
 }
 
 /// +1 for columns that run up the last axis, -1 for those that run down.
+#[inline(always)]
 fn direction(column: usize) -> f64 {
     if column.is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
-fn distance_squared_to_box<const D: usize>(
-    point: &Vector<f64, D>,
-    low: &[f64; D],
-    high: &[f64; D],
-) -> f64 {
-    let mut sum = 0.0;
-    for d in 0..D {
-        let gap = (low[d] - point[d]).max(point[d] - high[d]).max(0.0);
-        sum += gap * gap;
-    }
-    sum
-}
-
 /// Corners of the smallest box that holds all points; zero for no point.
 fn bounds<const D: usize>(points: &[Vector<f64, D>]) -> ([f64; D], [f64; D]) {
-    let empty = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
-    if points.is_empty() {
-        return ([0.0; D], [0.0; D]);
-    }
-    points.iter().fold(empty, |(mut low, mut high), point| {
+    let mut low = [f64::INFINITY; D];
+    let mut high = [f64::NEG_INFINITY; D];
+    for point in points {
         for d in 0..D {
             low[d] = low[d].min(point[d]);
             high[d] = high[d].max(point[d]);
         }
-        (low, high)
-    })
+    }
+    // No point, or none that is a number.
+    if low.iter().any(|x| *x == f64::INFINITY) {
+        return ([0.0; D], [0.0; D]);
+    }
+    (low, high)
 }
 
-/// Sorts each column by depth, ties by original index, halves in parallel.
-fn sort_columns(keys: &mut [(f64, u32)], starts: &[u32]) {
-    let columns = starts.len() - 1;
-    if columns == 0 {
+/// Sorts the points of each cell by depth, ties by original index, halves in
+/// parallel. `starts` begins with cell `first`.
+fn sort_cells(
+    order: &mut [u32],
+    starts: &[u32],
+    first: usize,
+    compare: &(impl Fn(usize, u32, u32) -> std::cmp::Ordering + Sync),
+) {
+    let cells = starts.len() - 1;
+    if order.len() < POINTS_PER_TASK || cells < 2 {
+        for cell in 0..cells {
+            let range =
+                (starts[cell] - starts[0]) as usize..(starts[cell + 1] - starts[0]) as usize;
+            sort_cell(&mut order[range], |a, b| compare(first + cell, a, b));
+        }
         return;
     }
-    if columns == 1 {
-        keys.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let middle = cells / 2;
+    let (left, right) = order.split_at_mut((starts[middle] - starts[0]) as usize);
+    rayon::join(
+        || sort_cells(left, &starts[..=middle], first, compare),
+        || sort_cells(right, &starts[middle..], first + middle, compare),
+    );
+}
+
+fn sort_cell(order: &mut [u32], compare: impl Fn(u32, u32) -> std::cmp::Ordering) {
+    let key = |&a: &u32, &b: &u32| compare(a, b).then(a.cmp(&b));
+    if order.len() > SMALL_CELL {
+        order.sort_unstable_by(key);
         return;
     }
-    let middle = columns / 2;
-    let (left, right) = keys.split_at_mut((starts[middle] - starts[0]) as usize);
-    if keys_are_few(left) {
-        sort_columns(left, &starts[..=middle]);
-        sort_columns(right, &starts[middle..]);
-    } else {
-        rayon::join(
-            || sort_columns(left, &starts[..=middle]),
-            || sort_columns(right, &starts[middle..]),
-        );
+    for k in 1..order.len() {
+        let moving = order[k];
+        let mut hole = k;
+        while hole > 0 && key(&moving, &order[hole - 1]).is_lt() {
+            order[hole] = order[hole - 1];
+            hole -= 1;
+        }
+        order[hole] = moving;
     }
-}
-
-fn keys_are_few(keys: &[(f64, u32)]) -> bool {
-    keys.len() < 4096
-}
-
-/// Whether no row of `a` is farther than `distance` from that of `b`; a NaN is.
-pub(crate) fn all_within<const D: usize>(
-    distance: f64,
-    a: &[Vector<f64, D>],
-    b: &[Vector<f64, D>],
-) -> bool {
-    a.par_iter()
-        .with_min_len(4096)
-        .zip(b)
-        .all(|(a, b)| (*a - *b).norm_squared() <= distance * distance)
 }

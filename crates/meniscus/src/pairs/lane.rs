@@ -27,6 +27,12 @@ impl<S: Simd> Lane<S> {
         Lane(f64x8::load_array(simd, values))
     }
 
+    /// The first eight of `values`.
+    #[inline(always)]
+    pub(crate) fn load_slice(simd: S, values: &[f64]) -> Self {
+        Lane(f64x8::from_slice(simd, &values[..WIDTH]))
+    }
+
     #[inline(always)]
     pub(crate) fn to_array(self) -> [f64; WIDTH] {
         self.0.to_array()

@@ -5,6 +5,7 @@
 //! - `lists`: clusters of eight and what is near them
 //! - `images`: periodic images
 //! - `lane`: eight particles as one [`Real`](crate::Real)
+//! - `level`: work compiled for each instruction set
 //! - `sweep`: a term summed over the lists
 //! - `buffer`: aligned scratch memory
 
@@ -12,15 +13,16 @@ mod buffer;
 mod columns;
 mod images;
 mod lane;
+mod level;
 mod lists;
 mod sweep;
 
 pub use images::Domain;
 
-use columns::{Columns, all_within};
+use columns::Columns;
 use fearless_simd::Level;
 use images::Image;
-use lists::{Chunk, Sorted};
+use lists::Chunk;
 use rayon::prelude::*;
 
 use crate::kernel::{Kernel, WendlandC2};
@@ -146,20 +148,23 @@ impl<const D: usize> Pairs<D> {
         self.sorted_images.clear();
         self.sorted_images
             .extend(order.iter().map(|&k| self.images[k as usize]));
-        self.image_points.clear();
-        self.image_points.extend(
-            (self.sorted_images.iter())
-                .map(|image| self.reference[image.source as usize] + image.shift),
+        lists::build(
+            self.level,
+            &mut self.chunks,
+            &self.columns,
+            &self.image_columns,
+            reach,
         );
-        let real = Sorted {
-            columns: &self.columns,
-            points: &self.reference,
-        };
-        let images = Sorted {
-            columns: &self.image_columns,
-            points: &self.image_points,
-        };
-        lists::build(&mut self.chunks, &real, &images, reach);
+    }
+
+    /// How far lists reach beyond the kernel's support, m.
+    pub fn skin(&self) -> f64 {
+        self.skin
+    }
+
+    /// Sets how far the next lists reach beyond the kernel's support, m.
+    pub fn set_skin(&mut self, skin: f64) {
+        self.skin = skin;
     }
 
     /// Whether particles have moved so far that a pair may be missing from the lists.
@@ -216,8 +221,8 @@ impl<const D: usize> Sweep<D> for Pairs<D> {
             .for_each(|(packed, image)| {
                 let source = image.source as usize;
                 packed.copy_from_slice(&own[source * stride..][..stride]);
-                for d in 0..D {
-                    packed[d] += image.shift[d];
+                for (x, shift) in packed.iter_mut().zip(image.shift.0) {
+                    *x += shift;
                 }
             });
         let kernel = ScaledKernel::new(self.kernel, self.smoothing_length, D);
@@ -230,4 +235,12 @@ impl<const D: usize> Sweep<D> for Pairs<D> {
             sweep::run::<_, T, D>(level, term, kernel, chunks, records, &active, sums);
         }
     }
+}
+
+/// Whether no row of `a` is farther than `distance` from that of `b`; a NaN is.
+fn all_within<const D: usize>(distance: f64, a: &[Vector<f64, D>], b: &[Vector<f64, D>]) -> bool {
+    a.par_iter()
+        .with_min_len(4096)
+        .zip(b)
+        .all(|(a, b)| (*a - *b).norm_squared() <= distance * distance)
 }

@@ -8,6 +8,7 @@ use fearless_simd::{Level, Simd};
 use rayon::prelude::*;
 
 use super::lane::{Lane, WIDTH};
+use super::level::{WithSimd, with_simd};
 use super::lists::{CLUSTERS_PER_CHUNK, Chunk};
 use crate::particles::Particles;
 use crate::term::{PairTerm, Record, ScaledKernel, Shape};
@@ -58,43 +59,23 @@ pub(crate) fn run<Q: Shape, T: PairTerm<D>, const D: usize>(
         .zip(chunks)
         .enumerate()
         .for_each(|(c, (sums, chunk))| {
-            let task = Task {
-                term,
-                kernel,
-                chunk,
-                records,
-                active,
-                first: c * WIDTH * CLUSTERS_PER_CHUNK,
-            };
-            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-            match level {
-                Level::Avx512(simd) => {
-                    simd.vectorize(
-                        #[inline(always)]
-                        || task.run(simd, sums),
-                    );
-                }
-                Level::Avx2(simd) => {
-                    simd.vectorize(
-                        #[inline(always)]
-                        || task.run(simd, sums),
-                    );
-                }
-                _ => {
-                    if let Some(simd) = level.as_sse2() {
-                        simd.vectorize(
-                            #[inline(always)]
-                            || task.run(simd, sums),
-                        );
-                    }
-                }
-            }
-            #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-            fearless_simd::dispatch!(level, simd => task.run(simd, sums));
+            let first = c * WIDTH * CLUSTERS_PER_CHUNK;
+            with_simd(
+                level,
+                Task {
+                    term,
+                    kernel,
+                    chunk,
+                    records,
+                    active,
+                    first,
+                    sums,
+                },
+            );
         });
 }
 
-struct Task<'a, Q, T, A, const D: usize> {
+struct Task<'a, Q, T: PairTerm<D>, A, const D: usize> {
     term: &'a T,
     kernel: ScaledKernel<Q>,
     chunk: &'a Chunk,
@@ -102,14 +83,17 @@ struct Task<'a, Q, T, A, const D: usize> {
     active: &'a A,
     /// First row of the chunk.
     first: usize,
+    /// Sums of its rows.
+    sums: &'a mut [T::Sum<f64>],
 }
 
-impl<Q: Shape, T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: usize>
-    Task<'_, Q, T, A, D>
+impl<Q: Shape, T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: usize> WithSimd
+    for Task<'_, Q, T, A, D>
 {
     #[inline(always)]
-    fn run<S: Simd>(&self, simd: S, sums: &mut [T::Sum<f64>]) {
+    fn run<S: Simd>(mut self, simd: S) {
         let mut start = self.first;
+        let sums = std::mem::take(&mut self.sums);
         for (sums, list) in sums.chunks_mut(WIDTH).zip(self.chunk.lists()) {
             let rows = start..start + sums.len();
             start = rows.end;
@@ -121,7 +105,9 @@ impl<Q: Shape, T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: u
             }
         }
     }
+}
 
+impl<Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, Q, T, A, D> {
     #[inline(always)]
     fn cluster<S: Simd>(
         &self,

@@ -14,7 +14,7 @@ use crate::fluid::Fluid;
 use crate::particles::Particles;
 use crate::real::Real;
 use crate::record;
-use crate::term::{Pair, PairTerm};
+use crate::term::{Pair, PairTerm, Record};
 use crate::vector::Vector;
 
 /// How the pressure gradient is discretised. Each conserves linear momentum exactly.
@@ -29,16 +29,68 @@ pub enum PressureForm {
 }
 
 record! {
-    /// What the momentum equation reads.
+    /// What the momentum equation reads, beside the material.
     pub struct Flowing<R, D> {
         /// v, m/s
         velocity: Vector<R, D>,
-        /// m, kg
-        mass: R,
         /// rho, kg/m^3
         density: R,
-        /// p, Pa
-        pressure: R,
+        /// p / rho^2, m^5/(kg s^2), for [`PressureForm::OverDensitySquared`]; p, Pa, for the others
+        stress: R,
+    }
+}
+
+/// Where mass, sound speed and viscosity of a particle come from.
+pub trait Material: Sync {
+    /// What is read of a particle.
+    type Record<R: Real>: Record<R>;
+    /// The record of a particle of this mass (kg) and fluid.
+    fn record(&self, mass: f64, fluid: u16) -> Self::Record<f64>;
+    /// m, kg. `like` gives the width.
+    fn mass<R: Real>(&self, record: &Self::Record<R>, like: R) -> R;
+    /// c, m/s
+    fn sound_speed<R: Real>(&self, record: &Self::Record<R>, like: R) -> R;
+    /// mu, Pa s
+    fn viscosity<R: Real>(&self, record: &Self::Record<R>, like: R) -> R;
+}
+
+/// One fluid, all particles of one mass: nothing is read.
+#[derive(Clone, Copy, Debug)]
+pub struct OneFluid<'a> {
+    /// m, kg
+    pub mass: f64,
+    /// The fluid.
+    pub fluid: &'a Fluid,
+}
+
+impl Material for OneFluid<'_> {
+    type Record<R: Real> = ();
+
+    fn record(&self, _: f64, _: u16) {}
+
+    #[inline(always)]
+    fn mass<R: Real>(&self, (): &(), like: R) -> R {
+        like.literal(self.mass)
+    }
+    #[inline(always)]
+    fn sound_speed<R: Real>(&self, (): &(), like: R) -> R {
+        like.literal(self.fluid.sound_speed)
+    }
+    #[inline(always)]
+    fn viscosity<R: Real>(&self, (): &(), like: R) -> R {
+        like.literal(self.fluid.viscosity)
+    }
+}
+
+/// Any fluids and masses, by the fluid's index.
+#[derive(Clone, Copy, Debug)]
+pub struct Mixture<'a>(pub &'a [Fluid]);
+
+record! {
+    /// The material of one particle of a mixture.
+    pub struct Substance<R, D> {
+        /// m, kg
+        mass: R,
         /// c, m/s
         sound_speed: R,
         /// mu, Pa s
@@ -46,11 +98,41 @@ record! {
     }
 }
 
+impl Material for Mixture<'_> {
+    type Record<R: Real> = Substance<R, 0>;
+
+    fn record(&self, mass: f64, fluid: u16) -> Substance<f64, 0> {
+        let Fluid {
+            sound_speed,
+            viscosity,
+            ..
+        } = self.0[fluid as usize];
+        Substance {
+            mass,
+            sound_speed,
+            viscosity,
+        }
+    }
+
+    #[inline(always)]
+    fn mass<R: Real>(&self, record: &Substance<R, 0>, _: R) -> R {
+        record.mass
+    }
+    #[inline(always)]
+    fn sound_speed<R: Real>(&self, record: &Substance<R, 0>, _: R) -> R {
+        record.sound_speed
+    }
+    #[inline(always)]
+    fn viscosity<R: Real>(&self, record: &Substance<R, 0>, _: R) -> R {
+        record.viscosity
+    }
+}
+
 /// Sums to acceleration, m/s^2.
 #[derive(Clone, Copy, Debug)]
-pub struct Momentum<'a> {
-    /// Fluids by index.
-    pub fluids: &'a [Fluid],
+pub struct Momentum<M> {
+    /// Materials.
+    pub material: M,
     /// Form of the pressure gradient, if it acts.
     pub pressure: Option<PressureForm>,
     /// alpha of the artificial viscosity; zero for none.
@@ -61,72 +143,84 @@ pub struct Momentum<'a> {
     pub smoothing_length: f64,
 }
 
-impl<const D: usize> PairTerm<D> for Momentum<'_> {
-    type Record<R: Real> = Flowing<R, D>;
+impl<M: Material, const D: usize> PairTerm<D> for Momentum<M> {
+    type Record<R: Real> = (Flowing<R, D>, M::Record<R>);
     type Sum<R: Real> = Vector<R, D>;
 
-    fn record(&self, particles: &Particles<D>, i: usize) -> Flowing<f64, D> {
-        let fluid = &self.fluids[particles.fluid[i] as usize];
-        Flowing {
+    fn record(&self, particles: &Particles<D>, i: usize) -> (Flowing<f64, D>, M::Record<f64>) {
+        let (density, pressure) = (particles.density[i], particles.pressure[i]);
+        let stress = match self.pressure {
+            Some(PressureForm::OverDensitySquared) => pressure / (density * density),
+            _ => pressure,
+        };
+        let flowing = Flowing {
             velocity: particles.velocity[i],
-            mass: particles.mass[i],
-            density: particles.density[i],
-            pressure: particles.pressure[i],
-            sound_speed: fluid.sound_speed,
-            viscosity: fluid.viscosity,
-        }
+            density,
+            stress,
+        };
+        (
+            flowing,
+            self.material.record(particles.mass[i], particles.fluid[i]),
+        )
     }
 
     #[inline(always)]
     fn pair<R: Real>(
         &self,
-        i: &Flowing<R, D>,
-        j: &Flowing<R, D>,
+        (i, i_material): &(Flowing<R, D>, M::Record<R>),
+        (j, j_material): &(Flowing<R, D>, M::Record<R>),
         ij: &Pair<R, D>,
         sum: &mut Vector<R, D>,
     ) {
-        let density_product = i.density * j.density;
-        let mut along_gradient = i.mass.zero();
+        let like = i.density;
+        let mass = self.material.mass(j_material, like);
+        let mut along_gradient = like.zero();
         match self.pressure {
             Some(PressureForm::OverDensitySquared) => {
-                along_gradient =
-                    j.mass * (i.pressure / i.density.square() + j.pressure / j.density.square());
+                along_gradient = mass * (i.stress + j.stress);
             }
             Some(PressureForm::OverDensityProduct) => {
-                along_gradient = j.mass * ((i.pressure + j.pressure) / density_product);
+                along_gradient = mass * ((i.stress + j.stress) / (i.density * j.density));
             }
             Some(PressureForm::HuAdams) => {
-                let volumes = (i.mass / i.density).square() + (j.mass / j.density).square();
+                let own_mass = self.material.mass(i_material, like);
+                let volumes = (own_mass / i.density).square() + (mass / j.density).square();
                 let between =
-                    (j.density * i.pressure + i.density * j.pressure) / (i.density + j.density);
-                along_gradient = volumes * between / i.mass;
+                    (j.density * i.stress + i.density * j.stress) / (i.density + j.density);
+                along_gradient = volumes * between / own_mass;
             }
             None => {}
         }
         let velocity_difference = i.velocity - j.velocity;
         if self.artificial_viscosity != 0.0 {
             let h = self.smoothing_length;
+            let sound_speeds = self.material.sound_speed(i_material, like)
+                + self.material.sound_speed(j_material, like);
             let pi = artificial(
                 self.artificial_viscosity * h,
                 0.01 * h * h,
                 &velocity_difference,
-                (i.sound_speed + j.sound_speed) * 0.5,
+                sound_speeds * 0.5,
                 (i.density + j.density) * 0.5,
                 ij,
             );
-            along_gradient = along_gradient + j.mass * pi;
+            along_gradient = along_gradient + mass * pi;
         }
         *sum -= ij.grad_w * along_gradient;
-        let viscosities = (i.viscosity, j.viscosity);
-        match self.viscosity {
-            Some(ViscosityForm::Morris) => {
-                *sum += morris(viscosities, &velocity_difference, density_product, ij) * j.mass;
-            }
-            Some(ViscosityForm::MonaghanCleary) => {
-                *sum += monaghan_cleary(viscosities, &velocity_difference, density_product, ij)
-                    * j.mass;
-            }
-            None => {}
+        if let Some(form) = self.viscosity {
+            let viscosities = (
+                self.material.viscosity(i_material, like),
+                self.material.viscosity(j_material, like),
+            );
+            let density_product = i.density * j.density;
+            *sum += match form {
+                ViscosityForm::Morris => {
+                    morris(viscosities, &velocity_difference, density_product, ij)
+                }
+                ViscosityForm::MonaghanCleary => {
+                    monaghan_cleary(viscosities, &velocity_difference, density_product, ij)
+                }
+            } * mass;
         }
     }
 }

@@ -40,8 +40,9 @@ pub fn artificial<R: Real, const D: usize>(
     ij: &Pair<R, D>,
 ) -> R {
     let approach = velocity_difference.dot(&ij.offset);
-    let rate = approach / (ij.distance_squared + epsilon_h_squared);
-    (-(rate * mean_sound_speed * alpha_h) / mean_density).positive()
+    // One division for both denominators.
+    let denominator = (ij.distance_squared + epsilon_h_squared) * mean_density;
+    (-(approach * mean_sound_speed * alpha_h) / denominator).positive()
 }
 
 /// Acceleration per unit mass of j by Morris's form.

@@ -281,7 +281,11 @@ impl JancikHyhlik {
         );
         curvature.clear();
         curvature.extend(smoothed.iter().zip(divergence.iter()).map(|(smoothed, d)| {
-            if d.correction > 0.0 { -smoothed / d.correction } else { 0.0 }
+            if d.correction > 0.0 {
+                -smoothed / d.correction
+            } else {
+                0.0
+            }
         }));
         let surface = &*surface;
         (acceleration.par_iter_mut(), &particles.density)
