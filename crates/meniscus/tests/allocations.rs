@@ -53,10 +53,16 @@ where
         }
         last = (builds, now);
     }
-    assert!(free_of_any > 50, "only {free_of_any} steps without new lists");
+    assert!(
+        free_of_any > 50,
+        "only {free_of_any} steps without new lists"
+    );
     let grown = ALLOCATIONS.load(Ordering::Relaxed) - before;
     let builds = last.0 - builds_before;
-    assert!(grown <= builds * 4, "{grown} allocations in {builds} new lists");
+    assert!(
+        grown <= builds * 4,
+        "{grown} allocations in {builds} new lists"
+    );
 }
 
 /// One test in this file: the counter is the whole process's.

@@ -26,7 +26,10 @@ where
     on_threads(threads, || {
         let mut simulation = Simulation::new(setup.clone()).expect("a sound setup");
         march(&mut simulation, steps);
-        assert!(simulation.pairs().builds() > 1, "the test must cover new lists");
+        assert!(
+            simulation.pairs().builds() > 1,
+            "the test must cover new lists"
+        );
         simulation.snapshot()
     })
 }

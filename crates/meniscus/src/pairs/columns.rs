@@ -312,7 +312,7 @@ fn bounds<const D: usize>(points: &[Vector<f64, D>]) -> ([f64; D], [f64; D]) {
         }
     }
     // No point, or none that is a number.
-    if low.iter().any(|x| *x == f64::INFINITY) {
+    if low.contains(&f64::INFINITY) {
         return ([0.0; D], [0.0; D]);
     }
     (low, high)

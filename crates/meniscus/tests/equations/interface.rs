@@ -1,7 +1,7 @@
 //! Two fluids side by side: where they meet, forces must be neither fluid's own.
 
 use meniscus::fluid::Fluid;
-use meniscus::physics::momentum::Momentum;
+use meniscus::physics::momentum::{Mixture, Momentum};
 use meniscus::rates::{Dimension, Space};
 use meniscus::scheme::{PressureForm, ViscosityForm};
 use meniscus::{Particles, Setup, Simulation, Vector, reference};
@@ -63,7 +63,7 @@ const N: usize = 24;
 /// or ten times) with this pressure, and velocity along the interface.
 fn across(
     fluids: &[Fluid; 2],
-    term: Momentum,
+    term: Momentum<Mixture>,
     pressure: impl Fn(f64) -> f64,
     velocity: impl Fn(f64) -> f64,
 ) -> Vec<Vector<f64, 2>> {
@@ -82,7 +82,7 @@ fn across(
         .map(|i| {
             let h = setup.scheme.smoothing_length;
             let term = Momentum {
-                fluids,
+                material: Mixture(fluids),
                 smoothing_length: h,
                 ..term
             };
@@ -91,8 +91,8 @@ fn across(
         .collect()
 }
 
-const NOTHING: Momentum = Momentum {
-    fluids: &[],
+const NOTHING: Momentum<Mixture> = Momentum {
+    material: Mixture(&[]),
     pressure: None,
     artificial_viscosity: 0.0,
     viscosity: None,
