@@ -104,6 +104,7 @@ fn assemble(
             body_force: physics.body_force,
             surface_tension: physics.surface_tension.filter(|_| any_tension),
             damping: physics.damping,
+            integrator: physics.integrator,
             time_step: physics.time_step,
         },
         fluids,

@@ -16,6 +16,13 @@ pub enum DensityForm {
     Summation,
 }
 
+/// How the flow is marched in time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Integrator {
+    /// Kick-drift-kick; see [`crate::time::integrator`].
+    Symplectic,
+}
+
 /// How long a time step is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TimeStep {
@@ -49,6 +56,8 @@ pub struct Scheme {
     pub surface_tension: Option<SurfaceTension>,
     /// Rate k of a drag -k v that brings a flow to rest, 1/s; zero for none.
     pub damping: f64,
+    /// Integrator.
+    pub integrator: Integrator,
     /// Time step.
     pub time_step: TimeStep,
 }
@@ -67,6 +76,7 @@ impl Scheme {
             body_force: None,
             surface_tension: None,
             damping: 0.0,
+            integrator: Integrator::Symplectic,
             time_step: TimeStep::Adaptive { safety: 1.0 },
         }
     }

@@ -2,7 +2,7 @@
 
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
 use meniscus::scheme::{
-    BodyForce, DensityForm, PressureForm, SurfaceTension, TimeStep, ViscosityForm,
+    BodyForce, DensityForm, Integrator, PressureForm, SurfaceTension, TimeStep, ViscosityForm,
 };
 
 use crate::read::{Choice, Node, Sign};
@@ -17,6 +17,7 @@ pub(crate) struct Physics {
     pub body_force: Option<BodyForce>,
     pub surface_tension: Option<SurfaceTension>,
     pub damping: f64,
+    pub integrator: Integrator,
     pub time_step: TimeStep,
 }
 
@@ -82,6 +83,12 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
             "'0 /s'",
             "Rate of a drag that brings a flow to rest.",
             |node| node.quantity(&units::RATE, Sign::NotNegative),
+        ),
+        integrator: fields.or(
+            "integrator",
+            "'symplectic'",
+            "How the flow is marched in time.",
+            |node| node.name_of("integrator", &[("symplectic", Integrator::Symplectic)]),
         ),
         time_step: fields.or(
             "time_step",

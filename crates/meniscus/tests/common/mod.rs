@@ -3,7 +3,8 @@
 
 use meniscus::fluid::Fluid;
 use meniscus::scheme::{
-    BodyForce, DensityForm, PressureForm, Scheme, SurfaceTension, TimeStep, ViscosityForm,
+    BodyForce, DensityForm, Integrator, PressureForm, Scheme, SurfaceTension, TimeStep,
+    ViscosityForm,
 };
 use meniscus::{Domain, Kernel, Particle, Setup, Vector};
 
@@ -32,6 +33,7 @@ pub fn scheme(spacing: f64) -> Scheme {
         body_force: None::<BodyForce>,
         surface_tension: None,
         damping: 0.0,
+        integrator: Integrator::Symplectic,
         time_step: TimeStep::Adaptive { safety: 1.0 },
     }
 }
