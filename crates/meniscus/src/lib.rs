@@ -39,7 +39,7 @@
 //! Who simulates needs:
 //! - [`shape`]: bodies, and how particles fill them
 //! - [`fluid`], [`scheme`], [`kernel`]: what is solved, and with what
-//! - [`simulation`]: the march in time; [`snapshot`]: to stop and go on;
+//! - [`setup`], [`simulation`]: the start, and the march in time; [`snapshot`]: to stop and go on;
 //!   [`divergence`]: what a run says that blew up
 //! - [`measure`]: what an experimenter would measure; [`theory`]: exact results to set beside it
 //!
@@ -65,6 +65,7 @@ pub mod rates;
 pub mod real;
 pub mod reference;
 pub mod scheme;
+pub mod setup;
 pub mod shape;
 pub mod simulation;
 pub mod snapshot;
@@ -80,7 +81,8 @@ pub use particles::{Particle, Particles};
 pub use physics::surface_tension::SurfaceTension;
 pub use real::Real;
 pub use scheme::Scheme;
-pub use simulation::{Setup, Simulation};
+pub use setup::Setup;
+pub use simulation::Simulation;
 pub use snapshot::Snapshot;
 pub use term::PairTerm;
 pub use vector::Vector;

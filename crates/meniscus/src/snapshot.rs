@@ -4,7 +4,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::rates::{Dimension, Space};
-use crate::simulation::{Setup, SetupError, Simulation};
+use crate::setup::{Setup, SetupError};
+use crate::simulation::Simulation;
 use crate::vector::Vector;
 
 /// State of a simulation. Vectors are stored component by component.

@@ -1,0 +1,110 @@
+//! What a simulation starts from, and whether it can.
+
+use std::fmt;
+
+use crate::fluid::Fluid;
+use crate::pairs::Domain;
+use crate::particles::Particle;
+use crate::physics::body_force::BodyForce;
+use crate::scheme::{Scheme, TimeStep};
+
+/// Everything that a simulation starts from.
+#[derive(Clone, Debug)]
+pub struct Setup<const D: usize> {
+    /// What is solved, and how.
+    pub scheme: Scheme,
+    /// Fluids; particles name them by index.
+    pub fluids: Vec<Fluid>,
+    /// Particles at t = 0.
+    pub particles: Vec<Particle<D>>,
+    /// Distance between neighbouring particles, m.
+    pub spacing: f64,
+    /// Periodic axes.
+    pub domain: Domain<D>,
+}
+
+/// Why a simulation can not start.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetupError(pub String);
+
+impl fmt::Display for SetupError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for SetupError {}
+
+pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError> {
+    let complain = |what: String| Err(SetupError(what));
+    if setup.fluids.is_empty() {
+        return complain("there is no fluid".into());
+    }
+    let scheme = &setup.scheme;
+    let mut positive = vec![
+        ("spacing", setup.spacing),
+        ("smoothing length", scheme.smoothing_length),
+    ];
+    let mut at_least_zero = vec![
+        ("artificial viscosity", scheme.artificial_viscosity),
+        ("damping", scheme.damping),
+    ];
+    match scheme.time_step {
+        TimeStep::Fixed(dt) => positive.push(("time step", dt)),
+        TimeStep::Adaptive { safety } => positive.push(("safety factor of the time step", safety)),
+    }
+    for fluid in &setup.fluids {
+        positive.push(("density of a fluid", fluid.density));
+        positive.push(("sound speed of a fluid", fluid.sound_speed));
+        positive.push(("stiffness exponent of a fluid", fluid.stiffness_exponent));
+        at_least_zero.push(("viscosity of a fluid", fluid.viscosity));
+        at_least_zero.push(("surface tension of a fluid", fluid.surface_tension));
+        if !fluid.background_pressure.is_finite() {
+            return complain(format!(
+                "background pressure of {} must be finite, found {}",
+                fluid.name, fluid.background_pressure
+            ));
+        }
+    }
+    for (name, value) in at_least_zero {
+        if !(value >= 0.0 && value.is_finite()) {
+            return complain(format!(
+                "{name} must be finite and not negative, found {value}"
+            ));
+        }
+    }
+    if !scheme.body_force.as_ref().is_none_or(BodyForce::is_sound) {
+        return complain(
+            "the body force must be of finite numbers, and the times of its table must not fall"
+                .into(),
+        );
+    }
+    for (name, value) in positive {
+        if !(value > 0.0 && value.is_finite()) {
+            return complain(format!("{name} must be positive and finite, found {value}"));
+        }
+    }
+    for (low, high) in setup.domain.periodic.iter().flatten() {
+        if !(high - low > 0.0 && (high - low).is_finite()) {
+            return complain(format!(
+                "a periodic axis from {low} to {high} m has no length"
+            ));
+        }
+    }
+    for (i, particle) in setup.particles.iter().enumerate() {
+        let values = particle.position.norm_squared() + particle.velocity.norm_squared();
+        if particle.fluid as usize >= setup.fluids.len() {
+            return complain(format!(
+                "particle {i} is of fluid {}, of {}",
+                particle.fluid,
+                setup.fluids.len()
+            ));
+        }
+        if !(values.is_finite() && particle.mass > 0.0 && particle.mass.is_finite()) {
+            return complain(format!(
+                "particle {i} has a place, velocity or mass that is impossible: {particle:?}"
+            ));
+        }
+    }
+    Ok(())
+}
