@@ -13,6 +13,7 @@
 
 mod check;
 mod conclude;
+mod convergence;
 mod due;
 mod expected;
 mod failure;

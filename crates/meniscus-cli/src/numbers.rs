@@ -15,9 +15,10 @@ pub struct Number {
 }
 
 /// Numbers of the first body: its diameter D (of the disc or ball of equal
-/// volume), its fluid's properties, the largest speed that the case shows.
+/// volume), its fluid's properties, the largest speed U at the start.
 ///
-/// Where there is no laminar viscosity, that of the artificial viscosity stands in.
+/// Viscosity is what acts in the run, laminar and artificial together; where
+/// the fluid has some of its own, the numbers with that alone follow.
 pub fn of(case: &Case) -> Vec<Number> {
     let Some(body) = case.bodies.first() else {
         return Vec::new();
@@ -25,7 +26,6 @@ pub fn of(case: &Case) -> Vec<Number> {
     let fluid = &case.fluids[body.fluid];
     let diameter = 2.0 * theory::equivalent_radius(body.volume, case.dimension);
     let (rho, sigma) = (fluid.density, fluid.surface_tension);
-    let mu = rho * effective_viscosity(case, body.fluid);
     let speed = case.speeds.initial;
     let gravity = match &case.scheme.body_force {
         Some(BodyForce::Constant(g)) => g.iter().map(|g| g * g).sum::<f64>().sqrt(),
@@ -41,17 +41,20 @@ pub fn of(case: &Case) -> Vec<Number> {
             });
         }
     };
-    let (tension, viscous, moving) = (sigma > 0.0, mu > 0.0, speed > 0.0);
+    let acting = rho * effective_viscosity(case, body.fluid);
+    let laplace = |mu| theory::laplace_number(sigma, rho, diameter, mu);
+    let reynolds = |mu| theory::reynolds_number(rho, speed, diameter, mu);
+    let (tension, moving) = (sigma > 0.0, speed > 0.0);
     add(
-        tension && viscous,
+        tension && acting > 0.0,
         "La",
-        theory::laplace_number(sigma, rho, diameter, mu),
+        laplace(acting),
         "sigma rho D / mu^2: surface tension and inertia against viscosity",
     );
     add(
-        tension && viscous,
+        tension && acting > 0.0,
         "Oh",
-        theory::ohnesorge_number(sigma, rho, diameter, mu),
+        theory::ohnesorge_number(sigma, rho, diameter, acting),
         "mu / sqrt(sigma rho D): viscosity against surface tension and inertia",
     );
     add(
@@ -61,11 +64,17 @@ pub fn of(case: &Case) -> Vec<Number> {
         "rho U^2 D / sigma: inertia against surface tension",
     );
     add(
-        viscous && moving,
+        moving && acting > 0.0,
         "Re",
-        theory::reynolds_number(rho, speed, diameter, mu),
+        reynolds(acting),
         "rho U D / mu: inertia against viscosity",
     );
+    let own = fluid.viscosity;
+    let both = own > 0.0 && own < acting;
+    let meaning = "La without the artificial viscosity";
+    add(tension && both, "La laminar", laplace(own), meaning);
+    let meaning = "Re without the artificial viscosity";
+    add(moving && both, "Re laminar", reynolds(own), meaning);
     add(
         tension && gravity > 0.0,
         "Bo",

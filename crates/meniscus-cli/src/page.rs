@@ -80,10 +80,7 @@ fn headline(finding: &Finding) -> String {
                 finding.computed / value
             )
         });
-    let quantity = finding
-        .quantity
-        .replacen("surface tension", "Surface tension", 1);
-    format!("{quantity}: {found}{given}.")
+    format!("Measured {}: {found}{given}.", finding.quantity)
 }
 
 fn parameters(case: &Case) -> Vec<(String, String)> {
@@ -111,7 +108,7 @@ fn parameters(case: &Case) -> Vec<(String, String)> {
     );
     add(
         "artificial viscosity",
-        significant(scheme.artificial_viscosity, 4),
+        scheme.artificial_viscosity.to_string(),
     );
     add(
         "time step",

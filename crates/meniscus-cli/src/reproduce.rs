@@ -14,6 +14,7 @@ use meniscus_output::RunFolder;
 use serde::Deserialize;
 
 use crate::conclude::write_report;
+use crate::convergence::Convergence;
 use crate::failure::{Failure, NOT_REPRODUCED};
 use crate::findings::Finding;
 use crate::progress::duration;
@@ -31,6 +32,9 @@ struct Reproduction {
     #[serde(default)]
     remarks: Vec<String>,
     number: Vec<Number>,
+    /// How the deviation from theory falls with resolution.
+    #[serde(default)]
+    convergence: Vec<Convergence>,
 }
 
 /// One number of the paper.
@@ -90,10 +94,18 @@ pub fn reproduce(
     };
     let outcomes = run_all(jobs, &tell);
     let (mut rows, mut problems) = (Vec::new(), Vec::new());
+    let mut values = Vec::new();
     for number in &plan.number {
         let found = value_of(number, outcomes.get(&number.case));
         problems.extend(found.as_ref().err().cloned());
+        values.push((number, found.as_ref().ok().map(|(value, _)| *value)));
         rows.push(Row::judge(number, found.ok()));
+    }
+    for group in &plan.convergence {
+        match group.judge(&values) {
+            Ok((number, order)) => rows.push(Row::judge(&number, order.map(|p| (p, None)))),
+            Err(problem) => problems.push(problem),
+        }
     }
     if json {
         answer(&serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(e.to_string()))?)?;

@@ -58,7 +58,8 @@ pub fn energies(case: &Case, series: &Series) -> Option<Figure> {
     let shape = series.column("shape energy")?;
     let unit = if case.dimension == 2 { "J/m" } else { "J" };
     let mut plot = LinePlot::new(Axis::new("Time", "s"), Axis::new("Energy", unit))
-        .with(Curve::line("kinetic", time, kinetic));
+        .with(Curve::line("kinetic", time, kinetic))
+        .with(Curve::line("compression", time, compression));
     let mut caption = "Energies.".to_owned();
     if shape.iter().all(|energy| energy.is_finite()) {
         let sum: Vec<f64> = kinetic.iter().zip(shape).map(|(a, b)| a + b).collect();
@@ -76,6 +77,5 @@ pub fn energies(case: &Case, series: &Series) -> Option<Figure> {
             plot = plot.with(Curve::dashed("linear viscous theory", time, &curve));
         }
     }
-    plot = plot.with(Curve::line("compression", time, compression));
     Some(plot.figure("energies", &caption))
 }

@@ -27,19 +27,19 @@ pub fn figures(
         .map(|k| reader.read(k))
         .collect::<Result<Vec<Frame>, _>>()?;
     let (inside, outside) = match case.dimension {
-        2 => ("", ""),
-        _ => (" In a slice through the middle.", " Seen from the side."),
+        2 => ("Particles", "Particles"),
+        _ => (
+            "Particles of a slice through the middle",
+            "Particles, seen from the side",
+        ),
     };
     Ok(vec![
         pictures(case, &frames, "Pressure", "Pa")
             .view(slice(case, &frames))
-            .figure(
-                "pressure",
-                &format!("Particles coloured by pressure.{inside}"),
-            ),
+            .figure("pressure", &format!("{inside}, coloured by pressure.")),
         pictures(case, &frames, "Speed", "m/s")
             .view(View::Whole(direction(case)))
-            .figure("speed", &format!("Particles coloured by speed.{outside}")),
+            .figure("speed", &format!("{outside}, coloured by speed.")),
     ])
 }
 
@@ -75,6 +75,6 @@ fn slice(case: &Case, frames: &[Frame]) -> View {
     View::Slice {
         direction: direction(case),
         at: depths().sum::<f64>() / depths().count().max(1) as f64,
-        thickness: 1.2 * case.spacing,
+        thickness: case.spacing,
     }
 }

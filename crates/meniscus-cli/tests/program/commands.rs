@@ -29,6 +29,8 @@ body_force = ["0 m/s^2", "-9.81 m/s^2"]
             " Oh ",
             " We ",
             " Re ",
+            " La laminar ",
+            " Re laminar ",
             " Bo ",
             "sound speed",
             "density error",

@@ -87,7 +87,11 @@ fn a_run_leaves_every_file_that_is_promised_and_says_what_it_found() {
     }
     has(
         &place.read("out/rod/report.html"),
-        &["Small rod", "Surface tension by axis x", "Rayleigh"],
+        &[
+            "Small rod",
+            "Measured surface tension by axis x",
+            "Rayleigh",
+        ],
     );
     let record: serde_json::Value = serde_json::from_str(&place.read("out/rod/run.json")).unwrap();
     assert_eq!(record["status"], "complete");
