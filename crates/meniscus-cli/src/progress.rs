@@ -32,7 +32,7 @@ impl Progress {
         let now = Instant::now();
         let bar = (!voice.quiet && std::io::stderr().is_terminal()).then(|| {
             let bar = ProgressBar::with_draw_target(Some(1000), ProgressDrawTarget::stderr());
-            if let Ok(style) = ProgressStyle::with_template("{bar:20} {wide_msg}") {
+            if let Ok(style) = ProgressStyle::with_template("{bar:10} {wide_msg}") {
                 bar.set_style(style);
             }
             bar
@@ -69,11 +69,10 @@ impl Progress {
         let left = (self.end - time).max(0.0) / self.rates.1.max(f64::MIN_POSITIVE);
         // What matters most stands first: a narrow terminal cuts the end off.
         let message = format!(
-            "{:3.0} %  {} left  t = {} of {}  step {step}  {:.2} M particle-steps/s",
+            "{:3.0} %  {} left  t = {}  step {step}  {:.2} M particle-steps/s",
             (100.0 * time / self.end).floor().min(100.0),
             duration(left),
             seconds(time),
-            seconds(self.end),
             self.rates.0 * self.particles as f64 * 1e-6,
         );
         match &self.bar {
@@ -114,8 +113,11 @@ pub fn seconds(time: f64) -> String {
 
 /// A wall-clock time as a person says it.
 pub fn duration(seconds: f64) -> String {
-    if !seconds.is_finite() || seconds > 1e8 {
+    if !seconds.is_finite() {
         return "unknown time".into();
+    }
+    if seconds > 1e8 {
+        return format!("{:.0} years", seconds / 31_556_952.0);
     }
     let whole = seconds.round() as u64;
     match whole {

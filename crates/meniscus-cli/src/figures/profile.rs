@@ -12,6 +12,8 @@ use crate::progress::seconds;
 
 /// Frames that a mean is taken over, at most.
 const FRAMES: usize = 24;
+/// Points that are drawn, about: more would only cover one another.
+const POINTS: usize = 4000;
 /// Where the figure ends, in radii of the body.
 const EDGE: f64 = 1.15;
 
@@ -51,7 +53,11 @@ pub fn figure(
         radius * EDGE,
         bins,
     );
-    let distances: Vec<f64> = last.positions.iter().map(Vector::norm).collect();
+    let (distances, pressures): (Vec<f64>, Vec<f64>) = (last.positions.iter())
+        .zip(&last.pressure)
+        .step_by(1 + last.positions.len() / POINTS)
+        .map(|(position, pressure)| (position.norm(), *pressure))
+        .unzip();
     let (bin_radius, bin_mean): (Vec<f64>, Vec<f64>) =
         means.iter().map(|bin| (bin.radius, bin.mean)).unzip();
     let jump = theory::pressure_jump(sigma, radius, case.dimension);
@@ -59,7 +65,7 @@ pub fn figure(
         Axis::new("Distance from the centre", "m").limits(0.0, EDGE * radius),
         Axis::new("Pressure", "Pa"),
     )
-    .with(Curve::points("particles", &distances, &last.pressure))
+    .with(Curve::points("particles", &distances, &pressures))
     .with(Curve::line("mean", &bin_radius, &bin_mean))
     .with(Curve::dashed(
         "Young and Laplace, at rest",
