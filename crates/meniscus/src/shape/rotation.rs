@@ -19,7 +19,7 @@ impl<const D: usize> Rotation<D> {
     /// In 2D only the part of the axis out of the plane counts; a positive one
     /// turns anticlockwise. An axis of no length gives no rotation.
     ///
-    /// Rodrigues: R = cos(angle) I + sin(angle) [u]x + (1 - cos(angle)) u u^T.
+    /// Rodrigues: R = cos(angle) I + sin(angle) \[u\]x + (1 - cos(angle)) u u^T.
     pub fn about(axis: Vector<f64, 3>, angle: f64) -> Self {
         let axis = if D == 2 {
             Vector([0.0, 0.0, axis[2]])

@@ -80,7 +80,7 @@ fn a_step_of_twenty_times_the_acoustic_limit() {
         diverged
             .advice()
             .iter()
-            .any(|advice| advice.contains("time_step"))
+            .any(|advice| advice.contains("time step"))
     );
 }
 
@@ -95,18 +95,26 @@ fn a_step_beyond_the_viscous_limit() {
         setup.fluids[0].sound_speed = 0.1;
         let diverged = blow_up(setup);
         assert_eq!(diverged.culprit.term, "laminar viscosity", "{form:?}");
-        assert!(advises(&diverged, "viscous limit"));
+        assert!(advises(&diverged, "time step"));
     }
+}
+
+/// So soft a liquid that it can not hold its own surface tension.
+fn is_crushed<const D: usize>(spacing: f64)
+where
+    Space: Dimension<D>,
+{
+    let mut setup = free_drop::<D>(spacing, 0.1);
+    setup.fluids[0].sound_speed = 0.1;
+    setup.fluids[0].surface_tension = 1e4;
+    let diverged = blow_up(setup);
+    assert_eq!(diverged.culprit.term, "surface tension", "{D}D");
 }
 
 #[test]
 fn surface_tension_far_beyond_the_speed_of_sound() {
-    let mut setup = free_drop::<2>(0.1, 0.1);
-    setup.fluids[0].surface_tension = 1e4;
-    assert_eq!(blow_up(setup).culprit.term, "surface tension");
-    let mut setup = free_drop::<3>(0.2, 0.1);
-    setup.fluids[0].surface_tension = 1e4;
-    assert_eq!(blow_up(setup).culprit.term, "surface tension");
+    is_crushed::<2>(0.1);
+    is_crushed::<3>(0.2);
 }
 
 #[test]

@@ -12,12 +12,13 @@ mod force;
 mod geometry;
 
 use common::{fluid, scheme};
+use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
 use meniscus::scheme::{Scheme, SurfaceTension};
 use meniscus::shape::{Arrangement, Pattern, Shape};
 use meniscus::{Domain, Kernel, Particle, Setup, Vector};
 
 /// Fills a shape with liquid of density 1 and surface tension 1, on a lattice of
-/// spacing 1; truncated Gaussian, h = 1.5 dx, as in the paper.
+/// spacing 1; truncated Gaussian, h = 1.5 dx, normals from 0.01 / h on, as in the paper.
 pub fn liquid<const D: usize>(shape: &Shape<D>, pattern: Pattern, jitter: f64) -> Setup<D> {
     let mut lattice = Arrangement::new(pattern, 1.0);
     lattice.jitter = jitter;
@@ -36,7 +37,10 @@ pub fn liquid<const D: usize>(shape: &Shape<D>, pattern: Pattern, jitter: f64) -
             kernel: Kernel::TruncatedGaussian,
             smoothing_length: 1.5,
             artificial_viscosity: 0.1,
-            surface_tension: Some(SurfaceTension::JancikHyhlik(Default::default())),
+            surface_tension: Some(SurfaceTension::JancikHyhlik(JancikHyhlik {
+                threshold: 0.01,
+                ..JancikHyhlik::default()
+            })),
             ..scheme(1.0)
         },
         fluids: vec![fluid(0.0, 1.0)],
