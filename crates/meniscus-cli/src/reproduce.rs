@@ -85,7 +85,7 @@ pub fn reproduce(
         Path::to_path_buf,
     );
     let begin = Instant::now();
-    let jobs = claim(&plan, paper, &root, force, voice)?;
+    let jobs = claim(&plan, paper, &root, force)?;
     // Standard output of --json belongs to the JSON.
     let tell = |line: &str| match json {
         true if voice.quiet => {}
@@ -140,19 +140,18 @@ struct Job {
 }
 
 /// All cases, the costliest first, each with its folder: nothing runs before
-/// every case is read and every folder is free.
+/// every case is read and every folder is free. What may not be as meant in a
+/// case stands in its report; a paper means it so.
 fn claim(
     plan: &Reproduction,
     paper: &Path,
     root: &Path,
     force: bool,
-    voice: Voice,
 ) -> Result<VecDeque<Job>, Failure> {
     let mut cases: Vec<(&str, Case)> = Vec::new();
     for number in &plan.number {
         if cases.iter().all(|(name, _)| *name != number.case) {
             let case = Case::from_file(&paper.join(&number.case))?;
-            voice.warn_of(&case);
             cases.push((&number.case, case));
         }
     }
