@@ -30,11 +30,13 @@
 //! - `grammar`: what may stand in a file
 //! - `read`: how a file is read, and its schema written, by one walk
 //! - `resolve`, `bodies`, `overlap`, `speed`, `memory`: from the file to particles, and whether they make sense
+//! - `doubts`: warnings about what can be run, but not believed
 //! - `units`, `diagnostic`, `template`
 
 mod bodies;
 mod case;
 mod diagnostic;
+mod doubts;
 mod grammar;
 mod memory;
 mod overlap;

@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 use crate::bodies::fill_all;
 use crate::case::Case;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::doubts::doubts;
 use crate::grammar::{Draft, document};
 use crate::read::{Context, Echo, Node};
 use crate::speed::{SpeedScales, default_sound_speed};
@@ -84,6 +85,7 @@ fn assemble(
     let speeds = SpeedScales::new(draft.dimension, &particles, &fluids, &volumes, body_force);
     choose_sound_speeds(&draft, &speeds, &mut fluids, echo, problems);
     warn_of_idle_surface_tension(&draft, problems);
+    problems.extend(doubts(&draft, &volumes));
     let any_tension = fluids.iter().any(|fluid| fluid.surface_tension > 0.0);
     let stem = Path::new(name).file_stem();
     let physics = draft.physics;

@@ -1,12 +1,12 @@
 //! The largest speed that a case is expected to show, and the sound speed for it.
 
-use meniscus::Particle;
 use meniscus::scheme::{BodyForce, Fluid};
+use meniscus::{Particle, Vector};
 
 /// Speeds that a case shows before it is run, m/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedScales {
-    /// Largest speed of a particle at the start.
+    /// Largest speed of a particle at the start, or of one against another.
     pub initial: f64,
     /// sqrt(2 sigma / (rho R)) of the body where it is largest, R the radius
     /// of the disc or ball of the same volume: the pressure of surface tension
@@ -32,10 +32,15 @@ impl SpeedScales {
         bodies: &[(usize, f64)],
         body_force: Option<&BodyForce>,
     ) -> Self {
-        let initial = particles
+        let fastest = particles
             .iter()
             .map(|p| p.velocity.norm())
             .fold(0.0, f64::max);
+        let range: [f64; 3] = std::array::from_fn(|d| {
+            let along = particles.iter().map(|p| p.velocity[d]);
+            along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
+        });
+        let initial = fastest.max(Vector(range).norm());
         let capillary = bodies
             .iter()
             .filter_map(|&(fluid, volume)| {

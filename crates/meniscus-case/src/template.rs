@@ -24,7 +24,7 @@ viscosity = "1 mPa s"
 
 [[body]]                          # as many as you like; of the only fluid, or fluid = "water"
 shape = {{ ellipse = {{ semi_axes = ["1.1 mm", "0.9 mm"] }} }}
-arrangement = "triangular"        # or {{ triangular = {{ jitter = 0.05, seed = 1 }} }}
+arrangement = "triangular"        # or square, rings
 # velocity = ["0.1 m/s", "0 m/s"]
 
 # Everything below is optional.

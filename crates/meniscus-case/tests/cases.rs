@@ -47,7 +47,9 @@ fn assert_same(a: &Case, b: &Case) {
 fn good_cases_are_read_without_a_warning() {
     for path in good() {
         let case = Case::from_file(&path).unwrap_or_else(|wrong| panic!("{wrong}"));
-        assert!(case.warnings.is_empty(), "{}", case.warnings);
+        // Cases that show the whole language hold what no one should simulate.
+        let odd = case.name.starts_with("everything");
+        assert!(odd || case.warnings.is_empty(), "{}", case.warnings);
         assert!(case.particle_count() > 0);
         assert_eq!(
             case.particle_count(),
@@ -65,6 +67,19 @@ fn the_resolved_case_is_a_case_of_the_same_values_and_resolves_to_itself() {
         assert_same(&case, &again);
         assert_eq!(case.to_toml(), again.to_toml());
     }
+}
+
+#[test]
+fn density_by_summation_beside_a_free_surface_is_doubted() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/good");
+    let source = fs::read_to_string(folder.join("smallest.toml")).unwrap();
+    let source = source + "[physics]\ndensity = 'summation'\n";
+    let open = Case::from_str("open", &source).unwrap();
+    assert!(
+        open.warnings
+            .to_string()
+            .contains("density by summation is too low")
+    );
 }
 
 /// A bad file starts with lines `#! line:column words | more words`: where its

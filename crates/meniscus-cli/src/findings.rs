@@ -184,6 +184,11 @@ fn static_pressure(case: &Case, series: &Series, findings: &mut Findings) {
     findings.add("sigma-static", name, "N/m", given, sigma);
 }
 
+/// A weakly compressible flow changes its density by about 1 %.
+const LARGEST_CHANGE_OF_DENSITY: f64 = 0.05;
+/// Drift of the mean velocity, over the speed scale of the flow.
+const LARGEST_DRIFT: f64 = 0.01;
+
 /// What every run tells.
 fn common(case: &Case, series: &Series, findings: &mut Findings) {
     let finite = |name: &str| {
@@ -196,6 +201,13 @@ fn common(case: &Case, series: &Series, findings: &mut Findings) {
         let change = (largest / fluid.density - 1.0).max(1.0 - least / fluid.density);
         let name = "largest change of density";
         findings.add("density-change", name, "%", None, exact(100.0 * change));
+        if change > LARGEST_CHANGE_OF_DENSITY {
+            findings.complaints.push(format!(
+                "density changed by {:.0} %, which no weakly compressible flow should: do not trust this run; \
+                 raise sound_speed, refine the spacing, or look where particles were thrown about",
+                100.0 * change
+            ));
+        }
     }
     let mass: f64 = case.bodies.iter().map(|body| body.mass).sum();
     let drift = ["momentum x", "momentum y", "momentum z"]
@@ -207,5 +219,13 @@ fn common(case: &Case, series: &Series, findings: &mut Findings) {
         let nothing = Some(("exact", 0.0));
         let name = "drift of the mean velocity";
         findings.add("momentum-drift", name, "m/s", nothing, exact(drift));
+        let scale = case.speeds.largest();
+        if drift > LARGEST_DRIFT * scale {
+            findings.complaints.push(format!(
+                "the whole drifts at {:.0} % of the speed scale of the flow, which nothing outside it causes: \
+                 this model of surface tension does not conserve momentum where particles are disordered",
+                100.0 * drift / scale
+            ));
+        }
     }
 }

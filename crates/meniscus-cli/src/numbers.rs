@@ -93,12 +93,14 @@ pub fn of(case: &Case) -> Vec<Number> {
 /// Kinematic viscosity of a fluid, laminar and artificial together, m^2/s.
 pub fn effective_viscosity(case: &Case, fluid: usize) -> f64 {
     let fluid = &case.fluids[fluid];
-    let artificial = theory::artificial_kinematic_viscosity(
-        case.scheme.artificial_viscosity,
-        fluid.sound_speed,
-        case.scheme.smoothing_length,
-        case.dimension,
-    );
+    // It acts on approaching pairs only, which are half of them.
+    let artificial = 0.5
+        * theory::artificial_kinematic_viscosity(
+            case.scheme.artificial_viscosity,
+            fluid.sound_speed,
+            case.scheme.smoothing_length,
+            case.dimension,
+        );
     artificial + fluid.viscosity / fluid.density
 }
 

@@ -55,7 +55,20 @@ pub struct Diverged {
     /// What went wrong.
     pub failure: Failure,
     /// The term that pushes it hardest.
-    pub culprit: Culprit,
+    pub culprit: Box<Culprit>,
+    /// How the run was set, as far as it bears on blow-ups.
+    pub circumstances: Circumstances,
+}
+
+/// What the usual causes of a blow-up show in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Circumstances {
+    /// The step over the shortest limit that held for it.
+    pub step_over_limit: f64,
+    /// Largest speed before the step, over the least speed of sound.
+    pub mach_number: f64,
+    /// alpha of the artificial viscosity.
+    pub artificial_viscosity: f64,
 }
 
 impl fmt::Display for Diverged {
@@ -93,10 +106,25 @@ impl Diverged {
     /// What a user may change, most likely remedy first.
     pub fn advice(&self) -> Vec<&'static str> {
         let mut advice = Vec::new();
+        let Circumstances {
+            step_over_limit,
+            mach_number,
+            artificial_viscosity,
+        } = self.circumstances;
+        if step_over_limit > 1.5 {
+            advice.push("shorten the time step: it is longer than its limits, which `meniscus check` prints");
+        }
+        if mach_number > 0.3 {
+            advice.push("raise sound_speed to at least ten times the fastest flow: the flow is not slow against sound");
+        }
+        if artificial_viscosity < 0.05 {
+            advice.push(
+                "raise artificial_viscosity to 0.05 or more: a free surface disorders without it",
+            );
+        }
         match self.culprit.term {
             "surface tension" => {
                 advice.push("refine the spacing: a feature thinner than a smoothing length has no curvature");
-                advice.push("raise artificial_viscosity (0.05 to 0.2)");
             }
             "artificial viscosity" | "laminar viscosity" => {
                 advice.push("shorten the time step: the viscous limit is 0.125 h^2 rho / mu");
@@ -107,10 +135,14 @@ impl Diverged {
             "a force of your own" => {
                 advice.push("check your own force: it must be finite for any pair, also of a particle with itself");
             }
-            _ => advice.push("raise sound_speed to at least ten times the fastest flow"),
+            _ => {}
         }
-        advice.push("shorten the time step (time_step, or the safety factor of the adaptive step)");
         advice.push("check the start: bodies that overlap or touch with less than a spacing push each other apart");
+        if step_over_limit <= 1.5 {
+            advice.push(
+                "shorten the time step (time_step, or the safety factor of the adaptive step)",
+            );
+        }
         advice
     }
 }

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::divergence::{Diverged, Failure, check};
+use crate::divergence::{Circumstances, Diverged, Failure, check};
 use crate::fluid::Fluid;
 use crate::pairs::{Domain, Instructions, Pairs};
 use crate::particles::Particles;
@@ -225,6 +225,18 @@ impl<const D: usize> Simulation<D> {
         Ok(())
     }
 
+    fn circumstances(&self) -> Circumstances {
+        let fluids = &self.rates.fluids;
+        let slowest = fluids
+            .iter()
+            .fold(f64::INFINITY, |c, fluid| c.min(fluid.sound_speed));
+        Circumstances {
+            step_over_limit: self.next_step / self.limits.governing().1,
+            mach_number: self.largest_speed / slowest,
+            artificial_viscosity: self.rates.scheme.artificial_viscosity,
+        }
+    }
+
     fn diverged(&self, i: usize, failure: Failure) -> Diverged {
         Diverged {
             step: self.steps,
@@ -232,13 +244,14 @@ impl<const D: usize> Simulation<D> {
             particle: self.particles.id[i],
             position: self.particles.position[i].to_3d(),
             failure,
-            culprit: (self.table.diagnose)(
+            culprit: Box::new((self.table.diagnose)(
                 &self.rates,
                 &self.particles,
                 &self.domain,
                 self.time,
                 i,
-            ),
+            )),
+            circumstances: self.circumstances(),
         }
     }
 

@@ -59,7 +59,7 @@ fn pattern<const D: usize>(node: &mut Node<'_>, pattern: Pattern) -> Arrangement
         let jitter = fields.or("jitter", "0.0", about, |node| {
             let jitter = node.number(Sign::NotNegative);
             if jitter > 0.5 {
-                node.fail(format!("`jitter` is {jitter}"), "more than half a spacing", "0.1 is usual");
+                node.fail(format!("`jitter` is {jitter}"), "more than half a spacing", "0.05 to 0.1 is usual");
             }
             jitter
         });

@@ -27,6 +27,16 @@ pub(crate) enum Geometry {
     Space(Shape<3>, Arrangement<3>),
 }
 
+impl Geometry {
+    /// Random displacement of the particles, in spacings.
+    pub fn jitter(&self) -> f64 {
+        match self {
+            Geometry::Plane(_, arrangement) => arrangement.jitter,
+            Geometry::Space(_, arrangement) => arrangement.jitter,
+        }
+    }
+}
+
 /// All bodies; none where the file does not say how many dimensions it has.
 pub(super) fn bodies(node: &mut Node<'_>, fluids: &[DraftFluid]) -> Vec<DraftBody> {
     if node.is_table() {

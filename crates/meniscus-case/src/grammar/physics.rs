@@ -124,8 +124,8 @@ fn jancik_hyhlik(node: &mut Node<'_>) -> JancikHyhlik {
         }),
         threshold: fields.or(
             "threshold",
-            "0.01",
-            "Normals shorter than this over h count as none.",
+            "0.1",
+            "Normals shorter than this over h count as none; the paper has 0.01, which disorder upsets.",
             |node| node.number(Sign::NotNegative),
         ),
     })
