@@ -50,6 +50,8 @@ pub struct Diverged {
     pub time: f64,
     /// Number of the particle.
     pub particle: u32,
+    /// Dimensions of the flow, 2 or 3.
+    pub dimension: usize,
     /// Where it is, m; the third component is zero in 2D.
     pub position: [f64; 3],
     /// What went wrong.
@@ -74,9 +76,13 @@ pub struct Circumstances {
 impl fmt::Display for Diverged {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [x, y, z] = self.position;
+        let z = match self.dimension {
+            2 => String::new(),
+            _ => format!(", {z:.4e}"),
+        };
         write!(
             f,
-            "the run diverged at step {}, t = {:.6e} s: particle {} at ({x:.4e}, {y:.4e}, {z:.4e}) m ",
+            "the run diverged at step {}, t = {:.6e} s: particle {} at ({x:.4e}, {y:.4e}{z}) m ",
             self.step, self.time, self.particle
         )?;
         match self.failure {

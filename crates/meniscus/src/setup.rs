@@ -51,6 +51,11 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
     ];
     match scheme.time_step {
         TimeStep::Fixed(dt) => positive.push(("time step", dt)),
+        TimeStep::Adaptive { safety } if safety > 1.0 => {
+            return complain(format!(
+                "safety factor of the time step must be at most 1, found {safety}"
+            ));
+        }
         TimeStep::Adaptive { safety } => positive.push(("safety factor of the time step", safety)),
     }
     for fluid in &setup.fluids {

@@ -242,6 +242,7 @@ impl<const D: usize> Simulation<D> {
             step: self.steps,
             time: self.time,
             particle: self.particles.id[i],
+            dimension: D,
             position: self.particles.position[i].to_3d(),
             failure,
             culprit: Box::new((self.table.diagnose)(
