@@ -19,6 +19,7 @@ meniscus::record! {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Vorticity;
 
 impl PairTerm<2> for Vorticity {

@@ -221,8 +221,8 @@ impl<Q: Shape> ScaledKernel<Q> {
 /// The sum runs over all particles within the kernel's support, the particle
 /// itself included. The formula must give zero, by its factor W or grad W,
 /// for a pair outside the support, and finite values for two particles at
-/// the same place.
-pub trait PairTerm<const D: usize>: Sync {
+/// the same place. A term is `Copy`: a few numbers, and references to columns.
+pub trait PairTerm<const D: usize>: Copy + Sync {
     /// What the formula reads from either particle.
     type Record<R: Real>: Record<R>;
     /// What is added up over the neighbours.

@@ -130,11 +130,14 @@ impl<Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, Q, T, A, D> {
         let position = Vector::<Lane<S>, D>::read(&mut next_lane);
         let own = T::Record::<Lane<S>>::read(&mut next_lane);
         let mut sum = T::Sum::<Lane<S>>::read(&mut || Lane::splat(simd, 0.0));
+        // Copies: behind a reference their parameters would be read, and their
+        // choices made, anew for each pair, since the prefetch might write.
+        let (term, kernel, records) = (*self.term, self.kernel, self.records);
         for (n, &j) in list.iter().enumerate() {
             if let Some(&ahead) = list.get(n + PREFETCH_AHEAD) {
-                prefetch(self.records, ahead as usize * stride, stride);
+                prefetch(records, ahead as usize * stride, stride);
             }
-            let record = &self.records[j as usize * stride..][..stride];
+            let record = &records[j as usize * stride..][..stride];
             let mut column = 0;
             let mut next_real = || {
                 let value = Lane::splat(simd, record[column]);
@@ -143,8 +146,8 @@ impl<Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, Q, T, A, D> {
             };
             let neighbour = Vector::<Lane<S>, D>::read(&mut next_real);
             let other = T::Record::<Lane<S>>::read(&mut next_real);
-            let pair = self.kernel.pair::<_, D>(position - neighbour);
-            self.term.pair(&own, &other, &pair, &mut sum);
+            let pair = kernel.pair::<_, D>(position - neighbour);
+            term.pair(&own, &other, &pair, &mut sum);
         }
         sum
     }

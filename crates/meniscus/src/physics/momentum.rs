@@ -41,7 +41,7 @@ record! {
 }
 
 /// Where mass, sound speed and viscosity of a particle come from.
-pub trait Material: Sync {
+pub trait Material: Copy + Sync {
     /// What is read of a particle.
     type Record<R: Real>: Record<R>;
     /// The record of a particle of this mass (kg) and fluid.
