@@ -5,28 +5,25 @@
 //!
 //! ```
 //! use meniscus::shape::{Arrangement, Pattern, Shape};
-//! use meniscus::{Domain, Fluid, Particle, Scheme, Setup, Simulation, SurfaceTension, Vector};
+//! use meniscus::{Domain, Fluid, Scheme, Setup, Simulation, SurfaceTension, Vector};
 //!
 //! // A disc of water, 1 mm across, on a triangular lattice.
 //! let spacing = 0.05e-3;
-//! let water = Fluid { surface_tension: 0.0728, sound_speed: 5.0, ..Fluid::new("water", 998.0) };
+//! let mut water = Fluid::new("water", 998.0);
+//! water.surface_tension = 0.0728;
+//! water.sound_speed = 5.0;
 //! let disc = Shape::Ball { centre: Vector([0.0, 0.0]), radius: 0.5e-3 };
-//! let lattice = Arrangement::new(Pattern::ClosePacked, spacing);
-//! let mass = water.density * lattice.particle_volume();
-//! let particles = lattice.fill(&disc, 10_000)?.into_iter()
-//!     .map(|position| Particle { position, velocity: Vector::ZERO, mass, fluid: 0, body: 0 })
-//!     .collect();
+//! let particles = Arrangement::new(Pattern::ClosePacked, spacing).body(&disc, water.density, 10_000)?;
 //!
-//! let scheme = Scheme {
-//!     surface_tension: Some(SurfaceTension::default()),
-//!     damping: 4000.0, // brings the disc to rest
-//!     ..Scheme::new(1.5 * spacing)
-//! };
-//! let mut simulation =
-//!     Simulation::new(Setup { scheme, fluids: vec![water], particles, spacing, domain: Domain::default() })?;
+//! let mut scheme = Scheme::new(2.0 * spacing);
+//! scheme.surface_tension = Some(SurfaceTension::default());
+//! scheme.damping = 4000.0; // brings the disc to rest
+//! let (fluids, domain) = (vec![water], Domain::default());
+//! let mut simulation = Simulation::new(Setup { scheme, fluids, particles, spacing, domain })?;
 //! simulation.advance_to(5e-3)?;
 //!
-//! // The pressure inside rises to about sigma / R = 146 Pa.
+//! // The pressure inside rises to sigma / R = 146 Pa, and a fifth more: ten
+//! // spacings to the radius are few for this model.
 //! let p = simulation.particles();
 //! let inside = (0..p.len()).filter(|&i| p.position[i].norm() < 0.25e-3);
 //! let (sum, count) = inside.fold((0.0, 0), |(sum, count), i| (sum + p.pressure[i], count + 1));

@@ -6,6 +6,7 @@ use std::fmt;
 use super::geometry::Shape;
 use super::jitter::SplitMix64;
 use super::rotation::Rotation;
+use crate::particles::Particle;
 use crate::vector::Vector;
 
 /// How particles lie beside one another.
@@ -124,6 +125,27 @@ impl<const D: usize> Arrangement<D> {
         let (low, high) = shape.bounding_box();
         let volume: f64 = (high - low).0.iter().map(|side| side.max(0.0)).product();
         volume / self.particle_volume()
+    }
+
+    /// A body at rest: particles of fluid and body 0 inside the shape, each with
+    /// the mass of its volume at `density`, kg/m^3.
+    ///
+    /// # Errors
+    /// As [`fill`](Self::fill).
+    pub fn body(
+        &self,
+        shape: &Shape<D>,
+        density: f64,
+        limit: usize,
+    ) -> Result<Vec<Particle<D>>, FillError> {
+        let particle = |position| Particle {
+            position,
+            velocity: Vector::ZERO,
+            mass: density * self.particle_volume(),
+            fluid: 0,
+            body: 0,
+        };
+        Ok(self.fill(shape, limit)?.into_iter().map(particle).collect())
     }
 
     /// Positions of the particles inside the shape, in the lattice's order.
