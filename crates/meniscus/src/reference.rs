@@ -24,7 +24,7 @@ pub fn sum<T: PairTerm<D>, const D: usize>(
         let other = term.record(particles, j);
         let offset = particles.position[i] - particles.position[j];
         for_each_image(domain, offset, support, &mut |offset| {
-            let pair = scaled.pair::<f64, D>(offset);
+            let pair = scaled.pair::<f64, D>(scaled.approach(offset));
             term.pair(&own, &other, &pair, &mut sum);
         });
     }

@@ -5,6 +5,8 @@
 //! [`Real`]. The engine decides whether that is one number or a lane of
 //! eight, which pairs are near, and on which thread.
 
+use std::marker::PhantomData;
+
 use crate::kernel::{Kernel, SmoothingKernel, with_kernel};
 use crate::particles::Particles;
 use crate::real::Real;
@@ -129,37 +131,67 @@ pub struct Pair<R, const D: usize> {
     pub slope_over_distance: R,
 }
 
-/// The shape of a kernel, from q^2, compiled in ([`Compiled`]) or chosen at run time
-/// ([`Kernel`]: one well-predicted branch a pair, and a sixth of the code).
+/// The shape of a kernel, compiled in ([`Compiled`]) or chosen at run time
+/// ([`Kernel`]: well-predicted branches for each pair, and a sixth of the code).
 pub(crate) trait Shape: Copy + Send + Sync {
-    fn shape<R: Real>(self, square: R) -> R;
-    fn slope_over_q<R: Real>(self, square: R) -> R;
+    /// What `shape` and `slope_over_q` want, from q^2.
+    fn argument<R: Real>(self, square: R) -> R;
+    fn shape<R: Real>(self, argument: R) -> R;
+    fn slope_over_q<R: Real>(self, argument: R) -> R;
 }
 
 /// A kernel known to the compiler.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Compiled<K>(pub(crate) K);
+pub(crate) struct Compiled<K>(pub(crate) PhantomData<K>);
 
 impl<K: SmoothingKernel> Shape for Compiled<K> {
     #[inline(always)]
-    fn shape<R: Real>(self, square: R) -> R {
-        K::shape_from_square(square)
+    fn argument<R: Real>(self, square: R) -> R {
+        if K::FROM_SQUARE {
+            square
+        } else {
+            square.sqrt()
+        }
     }
     #[inline(always)]
-    fn slope_over_q<R: Real>(self, square: R) -> R {
-        K::slope_over_q_from_square(square)
+    fn shape<R: Real>(self, argument: R) -> R {
+        if K::FROM_SQUARE {
+            K::shape_from_square(argument)
+        } else {
+            K::shape(argument)
+        }
+    }
+    #[inline(always)]
+    fn slope_over_q<R: Real>(self, argument: R) -> R {
+        if K::FROM_SQUARE {
+            K::slope_over_q_from_square(argument)
+        } else {
+            K::slope_over_q(argument)
+        }
     }
 }
 
 impl Shape for Kernel {
     #[inline(always)]
-    fn shape<R: Real>(self, square: R) -> R {
-        with_kernel!(self, K => K::shape_from_square(square))
+    fn argument<R: Real>(self, square: R) -> R {
+        with_kernel!(self, K => Compiled::<K>(PhantomData).argument(square))
     }
     #[inline(always)]
-    fn slope_over_q<R: Real>(self, square: R) -> R {
-        with_kernel!(self, K => K::slope_over_q_from_square(square))
+    fn shape<R: Real>(self, argument: R) -> R {
+        with_kernel!(self, K => Compiled::<K>(PhantomData).shape(argument))
     }
+    #[inline(always)]
+    fn slope_over_q<R: Real>(self, argument: R) -> R {
+        with_kernel!(self, K => Compiled::<K>(PhantomData).slope_over_q(argument))
+    }
+}
+
+/// The distance of a pair, before the kernel is evaluated.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Approach<R, const D: usize> {
+    offset: Vector<R, D>,
+    distance_squared: R,
+    argument: R,
 }
 
 /// A kernel with its smoothing length worked into factors.
@@ -184,7 +216,7 @@ impl ScaledKernel<Kernel> {
     }
 
     /// The same with its shape compiled in, which must be that of the kernel.
-    pub(crate) fn compiled<K: SmoothingKernel>(self, shape: K) -> ScaledKernel<Compiled<K>> {
+    pub(crate) fn compiled<K: SmoothingKernel>(self) -> ScaledKernel<Compiled<K>> {
         let Self {
             inverse_h_squared,
             value_factor,
@@ -192,7 +224,7 @@ impl ScaledKernel<Kernel> {
             ..
         } = self;
         ScaledKernel {
-            shape: Compiled(shape),
+            shape: Compiled(PhantomData),
             inverse_h_squared,
             value_factor,
             slope_factor,
@@ -201,15 +233,32 @@ impl ScaledKernel<Kernel> {
 }
 
 impl<Q: Shape> ScaledKernel<Q> {
+    /// The first half of [`pair`](Self::pair), with its slow root, for an early start.
     #[inline(always)]
-    pub(crate) fn pair<R: Real, const D: usize>(&self, offset: Vector<R, D>) -> Pair<R, D> {
+    pub(crate) fn approach<R: Real, const D: usize>(&self, offset: Vector<R, D>) -> Approach<R, D> {
         let distance_squared = offset.norm_squared();
-        let square = distance_squared * self.inverse_h_squared;
-        let slope_over_distance = self.shape.slope_over_q(square) * self.slope_factor;
+        let argument = self
+            .shape
+            .argument(distance_squared * self.inverse_h_squared);
+        Approach {
+            offset,
+            distance_squared,
+            argument,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn pair<R: Real, const D: usize>(&self, approach: Approach<R, D>) -> Pair<R, D> {
+        let Approach {
+            offset,
+            distance_squared,
+            argument,
+        } = approach;
+        let slope_over_distance = self.shape.slope_over_q(argument) * self.slope_factor;
         Pair {
             offset,
             distance_squared,
-            w: self.shape.shape(square) * self.value_factor,
+            w: self.shape.shape(argument) * self.value_factor,
             grad_w: offset * slope_over_distance,
             slope_over_distance,
         }

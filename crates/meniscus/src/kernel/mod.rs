@@ -39,13 +39,16 @@ pub trait SmoothingKernel: Copy + Send + Sync + 'static {
     /// (1/q) dw/dq, for any q >= 0, finite at q = 0; zero outside the support.
     fn slope_over_q<R: Real>(q: R) -> R;
 
-    /// w from q^2; of its own where that saves the root.
+    /// Whether w is better evaluated from q^2, without a root.
+    const FROM_SQUARE: bool = false;
+
+    /// w from q^2.
     #[inline(always)]
     fn shape_from_square<R: Real>(square: R) -> R {
         Self::shape(square.sqrt())
     }
 
-    /// (1/q) dw/dq from q^2; of its own where that saves the root.
+    /// (1/q) dw/dq from q^2.
     #[inline(always)]
     fn slope_over_q_from_square<R: Real>(square: R) -> R {
         Self::slope_over_q(square.sqrt())

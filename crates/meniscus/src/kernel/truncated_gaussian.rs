@@ -16,6 +16,7 @@ pub struct TruncatedGaussian;
 impl SmoothingKernel for TruncatedGaussian {
     const NAME: &'static str = "truncated-gaussian";
     const SUPPORT: f64 = 3.0;
+    const FROM_SQUARE: bool = true;
 
     fn normalisation(dimension: usize) -> f64 {
         PI.powf(-0.5 * dimension as f64)

@@ -229,7 +229,7 @@ impl<const D: usize> Sweep<D> for Pairs<D> {
         let (level, chunks) = (self.level, &self.chunks);
         if self.kernel == Kernel::WendlandC2 {
             // The default kernel is worth code of its own.
-            let kernel = kernel.compiled(WendlandC2);
+            let kernel = kernel.compiled::<WendlandC2>();
             sweep::run::<_, T, D>(level, term, kernel, chunks, records, &active, sums);
         } else {
             sweep::run::<_, T, D>(level, term, kernel, chunks, records, &active, sums);

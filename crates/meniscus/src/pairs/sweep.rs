@@ -11,7 +11,7 @@ use super::lane::{Lane, WIDTH};
 use super::level::{WithSimd, with_simd};
 use super::lists::{CLUSTERS_PER_CHUNK, Chunk};
 use crate::particles::Particles;
-use crate::term::{PairTerm, Record, ScaledKernel, Shape};
+use crate::term::{Approach, PairTerm, Record, ScaledKernel, Shape};
 use crate::vector::Vector;
 
 /// List entries between the prefetched record and the one in use.
@@ -109,6 +109,22 @@ impl<Q: Shape, T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: u
 
 impl<Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, Q, T, A, D> {
     #[inline(always)]
+    fn approach<S: Simd>(
+        &self,
+        simd: S,
+        position: &Vector<Lane<S>, D>,
+        j: u32,
+    ) -> Approach<Lane<S>, D> {
+        let stride = const { stride(D + <T::Record<f64> as Record<f64>>::LENGTH) };
+        let record = &self.records[j as usize * stride..][..D];
+        let mut neighbour = *position;
+        for d in 0..D {
+            neighbour[d] = Lane::splat(simd, record[d]);
+        }
+        self.kernel.approach::<_, D>(*position - neighbour)
+    }
+
+    #[inline(always)]
     fn cluster<S: Simd>(
         &self,
         simd: S,
@@ -133,20 +149,24 @@ impl<Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, Q, T, A, D> {
         // Copies: behind a reference their parameters would be read, and their
         // choices made, anew for each pair, since the prefetch might write.
         let (term, kernel, records) = (*self.term, self.kernel, self.records);
+        let Some(&first) = list.first() else {
+            return sum;
+        };
+        let mut next = self.approach(simd, &position, first);
         for (n, &j) in list.iter().enumerate() {
             if let Some(&ahead) = list.get(n + PREFETCH_AHEAD) {
                 prefetch(records, ahead as usize * stride, stride);
             }
+            let now = next;
+            // The root of the next pair runs while this one is worked out.
+            next = self.approach(simd, &position, list[(n + 1).min(list.len() - 1)]);
             let record = &records[j as usize * stride..][..stride];
-            let mut column = 0;
-            let mut next_real = || {
-                let value = Lane::splat(simd, record[column]);
+            let mut column = D;
+            let other = T::Record::<Lane<S>>::read(&mut || {
                 column += 1;
-                value
-            };
-            let neighbour = Vector::<Lane<S>, D>::read(&mut next_real);
-            let other = T::Record::<Lane<S>>::read(&mut next_real);
-            let pair = kernel.pair::<_, D>(position - neighbour);
+                Lane::splat(simd, record[column - 1])
+            });
+            let pair = kernel.pair::<_, D>(now);
             term.pair(&own, &other, &pair, &mut sum);
         }
         sum
