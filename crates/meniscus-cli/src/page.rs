@@ -103,6 +103,7 @@ fn parameters(case: &Case) -> Vec<(String, String)> {
         "surface tension model",
         match &scheme.surface_tension {
             Some(SurfaceTension::JancikHyhlik(_)) => "Jancik and Hyhlik".into(),
+            Some(SurfaceTension::Continuum(_)) => "continuum surface force".into(),
             None => "none".into(),
         },
     );

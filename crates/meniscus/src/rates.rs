@@ -11,7 +11,8 @@ use crate::physics::equation_of_state::Tait;
 use crate::physics::momentum::{Mixture, Momentum, OneFluid};
 use crate::physics::summation::Summation;
 use crate::physics::surface_tension::SurfaceTension;
-use crate::physics::surface_tension::jancik_hyhlik::Surface;
+use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
+use crate::physics::surface_tension::surface::Surface;
 use crate::scheme::{DensityForm, Scheme};
 use crate::term::{PairTerm, Sweep};
 use crate::vector::Vector;
@@ -59,6 +60,8 @@ pub(crate) struct Rates<const D: usize> {
     pub(crate) fluids: Vec<Fluid>,
     pub(crate) pairs: Pairs<D>,
     pub(crate) surface: Surface<D>,
+    /// For the particles at the surface alone.
+    at_surface: Pairs<D>,
     pub(crate) forces: Vec<Box<dyn Force<D>>>,
     equations_of_state: Vec<Tait>,
     /// Mass of all particles, kg, where it is the same and there is one fluid.
@@ -75,7 +78,17 @@ impl<const D: usize> Rates<D> {
     ) -> Self {
         let first = particles.mass.first().copied();
         let same = particles.mass.iter().all(|&mass| Some(mass) == first);
+        let surface_smoothing = match &scheme.surface_tension {
+            Some(SurfaceTension::Continuum(model)) => model.curvature_smoothing,
+            _ => 1.0,
+        };
+        let at_surface = pairs.sibling(
+            surface_smoothing * scheme.smoothing_length,
+            mean_spacing(&fluids, particles),
+            pairs.domain(),
+        );
         Self {
+            at_surface,
             equations_of_state: fluids.iter().map(Tait::new).collect(),
             one_mass: first.filter(|_| same && fluids.len() == 1),
             scheme,
@@ -141,16 +154,7 @@ impl<const D: usize> Rates<D> {
                     .sweep(&term, particles, |_| true, &mut acceleration);
             }
         }
-        if let Some(SurfaceTension::JancikHyhlik(model)) = self.scheme.surface_tension {
-            model.accelerate(
-                &mut self.pairs,
-                particles,
-                self.scheme.smoothing_length,
-                |i| self.fluids[particles.fluid[i] as usize].surface_tension,
-                &mut self.surface,
-                &mut acceleration,
-            );
-        }
+        self.pull_surface(particles, &mut acceleration);
         if let Some(force) = &self.scheme.body_force {
             let uniform = Vector::from_3d(force.at(time));
             acceleration.iter_mut().for_each(|a| *a += uniform);
@@ -163,20 +167,69 @@ impl<const D: usize> Rates<D> {
 }
 
 impl<const D: usize> Rates<D> {
+    /// Adds the acceleration by surface tension, m/s^2.
+    fn pull_surface(&mut self, particles: &Particles<D>, acceleration: &mut [Vector<f64, D>]) {
+        let smoothing_length = self.scheme.smoothing_length;
+        match self.scheme.surface_tension {
+            Some(SurfaceTension::JancikHyhlik(model)) => model.accelerate(
+                &mut self.pairs,
+                particles,
+                smoothing_length,
+                |i| self.fluids[particles.fluid[i] as usize].surface_tension,
+                &mut self.surface,
+                acceleration,
+            ),
+            Some(SurfaceTension::Continuum(model)) => {
+                let surroundings = Surroundings {
+                    fluids: &self.fluids,
+                    smoothing_length,
+                };
+                if !self.surface.is_calibrated() {
+                    let spacing = mean_spacing(&self.fluids, particles);
+                    let support = self.scheme.kernel.support() * smoothing_length;
+                    let mut layer = FlatLayer::new(surroundings, support, spacing);
+                    let periodic = layer.periodic;
+                    let domain = Domain { periodic };
+                    let mut pairs = self.pairs.sibling(smoothing_length, spacing, domain);
+                    pairs.relist(&mut layer.particles);
+                    model.calibrate(&mut pairs, &layer, surroundings, &mut self.surface);
+                }
+                model.accelerate(
+                    &mut self.pairs,
+                    &mut self.at_surface,
+                    particles,
+                    surroundings,
+                    &mut self.surface,
+                    acceleration,
+                );
+            }
+            None => {}
+        }
+    }
+
     /// Part of the acceleration of row `i` that surface tension made, m/s^2.
     pub(crate) fn surface_acceleration(
         &self,
         particles: &Particles<D>,
         i: usize,
     ) -> Vector<f64, D> {
-        match self.scheme.surface_tension {
-            Some(SurfaceTension::JancikHyhlik(_)) => {
-                let sigma = self.fluids[particles.fluid[i] as usize].surface_tension;
-                self.surface.force_density(i, sigma) * (1.0 / particles.density[i])
-            }
-            None => Vector::ZERO,
-        }
+        let force = self.surface.force.get(i).copied().unwrap_or_default();
+        force * (1.0 / particles.density[i])
     }
+}
+
+impl<const D: usize> Relist<D> for Pairs<D> {
+    fn relist(&mut self, particles: &mut Particles<D>) {
+        self.rebuild(particles);
+    }
+}
+
+/// The spacing that gives the particles their volume at rest, m.
+fn mean_spacing<const D: usize>(fluids: &[Fluid], particles: &Particles<D>) -> f64 {
+    let volume: f64 = (particles.mass.iter().zip(&particles.fluid))
+        .map(|(mass, fluid)| mass / fluids[*fluid as usize].density)
+        .sum();
+    (volume / particles.len().max(1) as f64).powf(1.0 / D as f64)
 }
 
 /// The terms of the momentum equation that `scheme` has for `fluids`.

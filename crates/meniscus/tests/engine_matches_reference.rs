@@ -8,7 +8,8 @@ use meniscus::fluid::Fluid;
 use meniscus::pairs::{Instructions, Pairs};
 use meniscus::physics::continuity::Continuity;
 use meniscus::physics::momentum::{Mixture, Momentum, OneFluid, PressureForm};
-use meniscus::physics::surface_tension::jancik_hyhlik::{Colour, Curvature, Normal};
+use meniscus::physics::surface_tension::curvature::{CorrectedCurvature, Curvature};
+use meniscus::physics::surface_tension::gradient::{CorrectedGradient, Gradient, Smoothed};
 use meniscus::physics::viscosity::ViscosityForm;
 use meniscus::term::{Record, Sweep};
 use meniscus::{Domain, Kernel, PairTerm, Particle, Particles, Vector, reference};
@@ -179,20 +180,19 @@ fn check<const D: usize>(cloud: &Cloud) -> Result<(), TestCaseError> {
         .collect();
     let p = &particles;
     compare("continuity", &Continuity, cloud, &domain, &mut pairs, p)?;
-    compare("colour", &Colour, cloud, &domain, &mut pairs, p)?;
-    compare(
-        "normal",
-        &Normal { colour: &colour },
-        cloud,
-        &domain,
-        &mut pairs,
-        p,
-    )?;
+    let smoothed = Smoothed { weighted: &colour };
+    compare("colour", &smoothed, cloud, &domain, &mut pairs, p)?;
+    let gradient = Gradient { values: &colour };
+    compare("gradient", &gradient, cloud, &domain, &mut pairs, p)?;
+    let corrected = CorrectedGradient { values: &colour };
+    compare("CSPM", &corrected, cloud, &domain, &mut pairs, p)?;
     let curvature = Curvature {
         normal: &normal,
         shortest: 0.5,
     };
     compare("curvature", &curvature, cloud, &domain, &mut pairs, p)?;
+    let corrected = CorrectedCurvature(curvature);
+    compare("CSPM curvature", &corrected, cloud, &domain, &mut pairs, p)?;
     let forms = [
         (PressureForm::OverDensitySquared, ViscosityForm::Morris),
         (

@@ -1,5 +1,6 @@
 //! What is solved.
 
+use meniscus::physics::surface_tension::continuum::{Continuum, Correction, Strength};
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
 use meniscus::scheme::{
     BodyForce, DensityForm, Integrator, PressureForm, SurfaceTension, TimeStep, ViscosityForm,
@@ -111,6 +112,11 @@ const SURFACE_TENSION: &[Choice<Option<SurfaceTension>>] = &[
         "Continuum surface force on a free surface, of Jancik and Hyhlik.",
         |node| Some(SurfaceTension::JancikHyhlik(jancik_hyhlik(node))),
     ),
+    Choice::new(
+        "continuum",
+        "Continuum surface force on a free surface or between two fluids, of Morris, corrected by Qiang, Chen and Gao.",
+        |node| Some(SurfaceTension::Continuum(continuum(node))),
+    ),
     Choice::new("none", "No surface tension.", |node| node.table(|_| None)),
 ];
 
@@ -127,6 +133,52 @@ fn jancik_hyhlik(node: &mut Node<'_>) -> JancikHyhlik {
             "0.1",
             "Normals shorter than this over h count as none; the paper has 0.01, which disorder upsets.",
             |node| node.number(Sign::NotNegative),
+        ),
+    })
+}
+
+fn continuum(node: &mut Node<'_>) -> Continuum {
+    let corrections = [("cspm", Correction::Cspm), ("morris", Correction::Morris)];
+    node.table(|fields| Continuum {
+        normal: fields.or("normal", "'cspm'", "How normals are found.", |node| {
+            node.name_of("correction", &corrections)
+        }),
+        curvature: fields.or("curvature", "'cspm'", "How curvature is found.", |node| {
+            node.name_of("correction", &corrections)
+        }),
+        curvature_smoothing: fields.or(
+            "curvature_smoothing",
+            "1.5",
+            "Smoothing length of curvature over h, from 0.5 to 4.",
+            |node| {
+                let ratio = node.number(Sign::Positive);
+                if !(0.5..=4.0).contains(&ratio) {
+                    node.fail(
+                        format!("`curvature_smoothing` is {ratio}"),
+                        "not between 0.5 and 4",
+                        "1 to 2 is usual",
+                    );
+                }
+                ratio
+            },
+        ),
+        threshold: fields.or(
+            "threshold",
+            "0.01",
+            "Normals shorter than this over h count as none.",
+            |node| node.number(Sign::NotNegative),
+        ),
+        strength: fields.or(
+            "strength",
+            "'normalised'",
+            "\"normalised\" by the sum over a flat surface, or \"printed\": 2, between two fluids 1.",
+            |node| {
+                let names = [
+                    ("normalised", Strength::Normalised),
+                    ("printed", Strength::Printed),
+                ];
+                node.name_of("strength", &names)
+            },
         ),
     })
 }

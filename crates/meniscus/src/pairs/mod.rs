@@ -95,6 +95,19 @@ impl<const D: usize> Pairs<D> {
         }
     }
 
+    /// An engine of the same kernel for other particles, without a skin.
+    pub(crate) fn sibling(&self, smoothing_length: f64, spacing: f64, domain: Domain<D>) -> Self {
+        Self {
+            level: self.level,
+            ..Self::new(self.kernel, smoothing_length, spacing, 0.0, domain)
+        }
+    }
+
+    /// Periodic axes.
+    pub(crate) fn domain(&self) -> Domain<D> {
+        self.domain
+    }
+
     /// Restricts the instructions, to measure or to test the other paths.
     pub fn set_instructions(&mut self, instructions: Instructions) {
         self.level = match instructions {

@@ -21,162 +21,12 @@
 //! k_i), and particles with N_i = 0, where C_i = 0, feel no force.
 //! k is the divergence of the inward normal: -1/R on a circle, -2/R on a sphere.
 
-use rayon::prelude::*;
-
+use super::curvature::{Curvature, Divergence};
+use super::gradient::{Gradient, Smoothed};
+pub use super::surface::Surface;
 use crate::particles::Particles;
-use crate::real::Real;
-use crate::record;
-use crate::term::{Pair, PairTerm, Sweep};
+use crate::term::Sweep;
 use crate::vector::Vector;
-
-/// Eq. 7: sums to f*.
-#[derive(Clone, Copy, Debug)]
-pub struct Colour;
-
-impl<const D: usize> PairTerm<D> for Colour {
-    type Record<R: Real> = R;
-    type Sum<R: Real> = R;
-
-    fn record(&self, particles: &Particles<D>, i: usize) -> f64 {
-        particles.volume(i)
-    }
-
-    #[inline(always)]
-    fn pair<R: Real>(&self, _: &R, volume: &R, ij: &Pair<R, D>, sum: &mut R) {
-        *sum = *sum + *volume * ij.w;
-    }
-}
-
-record! {
-    /// Volume and stretched colour.
-    pub struct Coloured<R, D> {
-        /// V, m^D
-        volume: R,
-        /// f**
-        colour: R,
-    }
-}
-
-/// Eq. 9: sums to n, 1/m.
-#[derive(Clone, Copy, Debug)]
-pub struct Normal<'a> {
-    /// f** of each particle.
-    pub colour: &'a [f64],
-}
-
-impl<const D: usize> PairTerm<D> for Normal<'_> {
-    type Record<R: Real> = Coloured<R, D>;
-    type Sum<R: Real> = Vector<R, D>;
-
-    fn record(&self, particles: &Particles<D>, i: usize) -> Coloured<f64, D> {
-        Coloured {
-            volume: particles.volume(i),
-            colour: self.colour[i],
-        }
-    }
-
-    #[inline(always)]
-    fn pair<R: Real>(
-        &self,
-        i: &Coloured<R, D>,
-        j: &Coloured<R, D>,
-        ij: &Pair<R, D>,
-        sum: &mut Vector<R, D>,
-    ) {
-        *sum += ij.grad_w * (j.volume * (j.colour - i.colour));
-    }
-}
-
-record! {
-    /// Volume, unit normal and N.
-    pub struct Oriented<R, D> {
-        /// u
-        direction: Vector<R, D>,
-        /// V, m^D
-        volume: R,
-        /// N, 0 or 1
-        active: R,
-    }
-}
-
-record! {
-    /// The sums of eqs. 11 and 13.
-    pub struct Divergence<R, D> {
-        /// C
-        correction: R,
-        /// k C, 1/m
-        divergence: R,
-    }
-}
-
-/// Eqs. 11 and 13: sums to C and k C.
-#[derive(Clone, Copy, Debug)]
-pub struct Curvature<'a, const D: usize> {
-    /// n of each particle, 1/m.
-    pub normal: &'a [Vector<f64, D>],
-    /// Normals shorter than this count as none, 1/m.
-    pub shortest: f64,
-}
-
-impl<const D: usize> Curvature<'_, D> {
-    /// Eq. 10
-    fn is_active(&self, normal: &Vector<f64, D>) -> bool {
-        normal.norm_squared() >= self.shortest * self.shortest
-    }
-}
-
-impl<const D: usize> PairTerm<D> for Curvature<'_, D> {
-    type Record<R: Real> = Oriented<R, D>;
-    type Sum<R: Real> = Divergence<R, D>;
-
-    fn record(&self, particles: &Particles<D>, i: usize) -> Oriented<f64, D> {
-        let normal = self.normal[i];
-        let active = self.is_active(&normal);
-        Oriented {
-            direction: if active {
-                normal * (1.0 / normal.norm())
-            } else {
-                Vector::ZERO
-            },
-            volume: particles.volume(i),
-            active: if active { 1.0 } else { 0.0 },
-        }
-    }
-
-    #[inline(always)]
-    fn pair<R: Real>(
-        &self,
-        i: &Oriented<R, D>,
-        j: &Oriented<R, D>,
-        ij: &Pair<R, D>,
-        sum: &mut Divergence<R, D>,
-    ) {
-        let volume = i.active.min(j.active) * j.volume;
-        sum.correction = sum.correction + volume * ij.w;
-        sum.divergence = sum.divergence + volume * (j.direction - i.direction).dot(&ij.grad_w);
-    }
-}
-
-/// Eq. 14: sums to k* C, from V N k of each particle.
-#[derive(Clone, Copy, Debug)]
-pub struct Smoothing<'a> {
-    /// V N k, m^(D-1)
-    pub weighted_curvature: &'a [f64],
-}
-
-impl<const D: usize> PairTerm<D> for Smoothing<'_> {
-    type Record<R: Real> = R;
-    type Sum<R: Real> = R;
-
-    fn record(&self, _: &Particles<D>, i: usize) -> f64 {
-        self.weighted_curvature[i]
-    }
-
-    #[inline(always)]
-    fn pair<R: Real>(&self, _: &R, weighted: &R, ij: &Pair<R, D>, sum: &mut R) {
-        *sum = *sum + *weighted * ij.w;
-    }
-}
 
 /// The parameters of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -199,38 +49,12 @@ impl Default for JancikHyhlik {
     }
 }
 
-/// What the model finds on the way; columns of one row per particle.
+/// Columns that the model needs on its way.
 #[derive(Debug, Default)]
-pub struct Surface<const D: usize> {
-    /// f**
-    pub colour: Vec<f64>,
-    /// n, 1/m, pointing into the liquid
-    pub normal: Vec<Vector<f64, D>>,
-    /// -k*, 1/m: positive for a convex surface; zero where N = 0
-    pub curvature: Vec<f64>,
+pub(super) struct Scratch<const D: usize> {
+    weighted: Vec<f64>,
     divergence: Vec<Divergence<f64, D>>,
-    weighted_curvature: Vec<f64>,
     smoothed: Vec<f64>,
-}
-
-impl<const D: usize> Surface<D> {
-    /// Number of surface-active particles (N = 1).
-    pub fn active(&self) -> usize {
-        self.divergence
-            .iter()
-            .filter(|d| d.correction > 0.0)
-            .count()
-    }
-
-    /// -sigma k*_i n_i / C_i, N/m^3, the force of eq. 15 per volume.
-    pub(crate) fn force_density(&self, i: usize, surface_tension: f64) -> Vector<f64, D> {
-        let correction = self.divergence[i].correction;
-        if correction > 0.0 {
-            self.normal[i] * (surface_tension * self.curvature[i] / correction)
-        } else {
-            Vector::ZERO
-        }
-    }
 }
 
 impl JancikHyhlik {
@@ -250,55 +74,57 @@ impl JancikHyhlik {
             colour,
             normal,
             curvature,
-            divergence,
-            weighted_curvature,
-            smoothed,
+            force,
+            active,
+            jancik_hyhlik:
+                Scratch {
+                    weighted,
+                    divergence,
+                    smoothed,
+                },
+            ..
         } = surface;
-        sweep.sweep(&Colour, particles, |_| true, colour);
+        weighted.clear();
+        weighted.extend((0..particles.len()).map(|i| particles.volume(i)));
+        sweep.sweep(&Smoothed { weighted }, particles, |_| true, colour);
         for f in colour.iter_mut() {
             *f = (self.slope * *f - self.slope + 1.0)
                 .max(0.0)
                 .powi(self.power as i32);
         }
-        sweep.sweep(&Normal { colour }, particles, |_| true, normal);
+        sweep.sweep(&Gradient { values: colour }, particles, |_| true, normal);
         let shortest = self.threshold / smoothing_length;
         let term = Curvature { normal, shortest };
         let is_active =
             |rows: std::ops::Range<usize>| normal[rows].iter().any(|n| term.is_active(n));
         sweep.sweep(&term, particles, is_active, divergence);
-        weighted_curvature.clear();
-        weighted_curvature.extend((0..particles.len()).map(|i| {
+        *active = 0;
+        for (i, weighted) in weighted.iter_mut().enumerate() {
             let Divergence {
                 correction,
                 divergence,
             } = divergence[i];
-            if correction > 0.0 {
-                particles.volume(i) * divergence / correction
+            *weighted = if correction > 0.0 {
+                *active += 1;
+                *weighted * divergence / correction
             } else {
                 0.0
-            }
-        }));
-        sweep.sweep(
-            &Smoothing { weighted_curvature },
-            particles,
-            is_active,
-            smoothed,
-        );
+            };
+        }
+        sweep.sweep(&Smoothed { weighted }, particles, is_active, smoothed);
         curvature.clear();
-        curvature.extend(smoothed.iter().zip(divergence.iter()).map(|(smoothed, d)| {
-            if d.correction > 0.0 {
-                -smoothed / d.correction
+        force.clear();
+        for (i, smoothed) in smoothed.iter().enumerate() {
+            let correction = divergence[i].correction;
+            if correction > 0.0 {
+                let k = -smoothed / correction;
+                curvature.push(k);
+                force.push(normal[i] * (surface_tension(i) * k / correction));
             } else {
-                0.0
+                curvature.push(0.0);
+                force.push(Vector::ZERO);
             }
-        }));
-        let surface = &*surface;
-        (acceleration.par_iter_mut(), &particles.density)
-            .into_par_iter()
-            .with_min_len(1024)
-            .enumerate()
-            .for_each(|(i, (acceleration, density))| {
-                *acceleration += surface.force_density(i, surface_tension(i)) * (1.0 / density);
-            });
+        }
+        surface.add_to(&particles.density, acceleration);
     }
 }

@@ -1,9 +1,22 @@
-//! Models of surface tension, one file each.
+//! Models of surface tension.
 //!
 //! - [`jancik_hyhlik`]: continuum surface force of a free surface
+//! - [`continuum`]: continuum surface force of a free surface or between two fluids
+//!
+//! What they share:
+//!
+//! - [`gradient`], [`curvature`]: normals and curvature, plain and corrected
+//! - [`matrix`]: small square matrices
+//! - [`surface`]: what a model finds on the way
 
+pub mod continuum;
+pub mod curvature;
+pub mod gradient;
 pub mod jancik_hyhlik;
+pub mod matrix;
+pub mod surface;
 
+use continuum::Continuum;
 use jancik_hyhlik::JancikHyhlik;
 
 /// A model of surface tension.
@@ -11,6 +24,8 @@ use jancik_hyhlik::JancikHyhlik;
 pub enum SurfaceTension {
     /// Free-surface continuum surface force of Jancik and Hyhlik.
     JancikHyhlik(JancikHyhlik),
+    /// Continuum surface force of Morris, or of Qiang, Chen and Gao.
+    Continuum(Continuum),
 }
 
 impl Default for SurfaceTension {

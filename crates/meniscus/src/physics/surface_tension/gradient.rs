@@ -1,0 +1,133 @@
+//! Sums that smooth a column of values, or take its gradient:
+//!
+//! - f_i      = sum_j w_j W_ij                          of weighted values w = V f
+//! - grad f_i = sum_j V_j (f_j - f_i) grad W_ij         (Morris 2000; exact for a constant)
+//! - grad f_i = A_i^-1 sum_j V_j (f_j - f_i) grad W_ij,
+//!   A_i = sum_j V_j (x_j - x_i) grad W_ij              (CSPM, Chen, Beraun and Carney 1999;
+//!   exact for a linear f, also where a part of the kernel is empty)
+
+use super::matrix::Matrix;
+use crate::particles::Particles;
+use crate::real::Real;
+use crate::record;
+use crate::term::{Pair, PairTerm};
+use crate::vector::Vector;
+
+/// Sums to sum_j w_j W_ij.
+#[derive(Clone, Copy, Debug)]
+pub struct Smoothed<'a> {
+    /// w of each particle, its value times its volume.
+    pub weighted: &'a [f64],
+}
+
+impl<const D: usize> PairTerm<D> for Smoothed<'_> {
+    type Record<R: Real> = R;
+    type Sum<R: Real> = R;
+
+    fn record(&self, _: &Particles<D>, i: usize) -> f64 {
+        self.weighted[i]
+    }
+
+    #[inline(always)]
+    fn pair<R: Real>(&self, _: &R, weighted: &R, ij: &Pair<R, D>, sum: &mut R) {
+        *sum = *sum + *weighted * ij.w;
+    }
+}
+
+record! {
+    /// Volume and a value.
+    pub struct Valued<R, D> {
+        /// V, m^D
+        volume: R,
+        /// f
+        value: R,
+    }
+}
+
+/// Sums to sum_j V_j (f_j - f_i) grad W_ij.
+#[derive(Clone, Copy, Debug)]
+pub struct Gradient<'a> {
+    /// f of each particle.
+    pub values: &'a [f64],
+}
+
+impl<const D: usize> PairTerm<D> for Gradient<'_> {
+    type Record<R: Real> = Valued<R, D>;
+    type Sum<R: Real> = Vector<R, D>;
+
+    fn record(&self, particles: &Particles<D>, i: usize) -> Valued<f64, D> {
+        Valued {
+            volume: particles.volume(i),
+            value: self.values[i],
+        }
+    }
+
+    #[inline(always)]
+    fn pair<R: Real>(
+        &self,
+        i: &Valued<R, D>,
+        j: &Valued<R, D>,
+        ij: &Pair<R, D>,
+        sum: &mut Vector<R, D>,
+    ) {
+        *sum += ij.grad_w * (j.volume * (j.value - i.value));
+    }
+}
+
+/// Sums to the gradient as [`Gradient`] has it, and to A.
+#[derive(Clone, Copy, Debug)]
+pub struct CorrectedGradient<'a> {
+    /// f of each particle.
+    pub values: &'a [f64],
+}
+
+record! {
+    /// A gradient and what it must be divided by.
+    pub struct Correctable<R, D> {
+        /// sum_j V_j (f_j - f_i) grad W_ij
+        gradient: Vector<R, D>,
+        /// A
+        matrix: Matrix<R, D>,
+    }
+}
+
+impl<const D: usize> PairTerm<D> for CorrectedGradient<'_> {
+    type Record<R: Real> = Valued<R, D>;
+    type Sum<R: Real> = Correctable<R, D>;
+
+    fn record(&self, particles: &Particles<D>, i: usize) -> Valued<f64, D> {
+        Gradient {
+            values: self.values,
+        }
+        .record(particles, i)
+    }
+
+    #[inline(always)]
+    fn pair<R: Real>(
+        &self,
+        i: &Valued<R, D>,
+        j: &Valued<R, D>,
+        ij: &Pair<R, D>,
+        sum: &mut Correctable<R, D>,
+    ) {
+        let weighted = ij.grad_w * j.volume;
+        sum.gradient += weighted * (j.value - i.value);
+        // x_j - x_i is minus the offset.
+        sum.matrix.add_outer(&-weighted, &ij.offset);
+    }
+}
+
+impl<const D: usize> Correctable<f64, D> {
+    /// A^-1 times the gradient; the gradient itself where too few neighbours are
+    /// left for A to be inverted.
+    pub fn corrected(&self) -> Vector<f64, D> {
+        self.matrix
+            .inverse(LEAST_MATRIX)
+            .map_or(self.gradient, |inverse| inverse.times(&self.gradient))
+    }
+}
+
+/// The geometric mean of A's eigenvalues below which it is not inverted. At a
+/// plane surface that mean is about 1/2, at a corner 0.2 in 2D and 0.08 in 3D; it
+/// is zero for particles on a line.
+pub(super) const LEAST_MATRIX: f64 = 0.05;

@@ -1,0 +1,39 @@
+//! What a model of the surface finds on the way.
+
+use super::{continuum, jancik_hyhlik};
+use crate::vector::Vector;
+
+/// What the model found in the last step: columns of one row per particle.
+#[derive(Debug, Default)]
+pub struct Surface<const D: usize> {
+    /// Smoothed colour, 1 inside the liquid.
+    pub colour: Vec<f64>,
+    /// n, 1/m, pointing into the liquid.
+    pub normal: Vec<Vector<f64, D>>,
+    /// Curvature, 1/m: positive for a convex surface; zero away from the surface.
+    pub curvature: Vec<f64>,
+    /// Force per volume, N/m^3.
+    pub force: Vec<Vector<f64, D>>,
+    pub(super) active: usize,
+    pub(super) jancik_hyhlik: jancik_hyhlik::Scratch<D>,
+    pub(super) continuum: continuum::Scratch<D>,
+}
+
+impl<const D: usize> Surface<D> {
+    /// Number of surface-active particles, those with a normal to be relied on.
+    pub fn active(&self) -> usize {
+        self.active
+    }
+
+    /// Whether the strength of a force that needs it is known.
+    pub(crate) fn is_calibrated(&self) -> bool {
+        self.continuum.strength.is_some()
+    }
+
+    /// Adds the force over density to `acceleration`, m/s^2.
+    pub(crate) fn add_to(&self, densities: &[f64], acceleration: &mut [Vector<f64, D>]) {
+        for ((a, force), density) in acceleration.iter_mut().zip(&self.force).zip(densities) {
+            *a += *force * (1.0 / density);
+        }
+    }
+}
