@@ -4,6 +4,7 @@
 //!   of a run; `due` says when, `interrupt` when to stop, `record` how it stands
 //! - `conclude` (`report`): what was found (`findings`, beside what is
 //!   `expected`), on the terminal, in the report's `page` and `figures`
+//! - `bench`: what the engine costs on this machine
 //! - `check`: what a case is, without running it; `numbers` that tell of it
 //! - `reproduce`: the numbers of a paper beside ours, with a `verdict`
 //! - `starter` (`new`): help with writing cases
@@ -11,6 +12,7 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod bench;
 mod check;
 mod conclude;
 mod convergence;
@@ -90,6 +92,11 @@ enum Command {
         #[command(flatten)]
         place: Place,
     },
+    /// Measure what the pair engine costs here, beside what the machine can do.
+    Bench {
+        #[command(flatten)]
+        what: bench::What,
+    },
     /// Write a commented case file to start from.
     New {
         /// Name of the case; the file is NAME.toml.
@@ -138,6 +145,7 @@ fn dispatch(program: &Program) -> Result<ExitCode, Failure> {
         Command::Reproduce { paper, json, place } => {
             reproduce::reproduce(paper, *json, place.out.as_deref(), place.force, voice)
         }
+        Command::Bench { what } => bench::bench(what, voice),
         Command::New { name } => starter::write(name, voice),
         Command::Schema => {
             terminal::answer(&format!("{:#}", meniscus_case::schema()))?;

@@ -1,0 +1,127 @@
+//! What to measure, and how long.
+
+use meniscus::pairs::Instructions;
+
+use crate::variant::Variant;
+
+/// What to measure.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Dimensions, 2 and 3.
+    pub dimensions: Vec<usize>,
+    /// Numbers of particles.
+    pub sizes: Vec<usize>,
+    /// Numbers of threads; rises, and begins with 1.
+    pub threads: Vec<usize>,
+    /// Ways of the engine.
+    pub variants: Vec<Variant>,
+    /// How long.
+    pub effort: Effort,
+}
+
+/// How long to measure.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// Least length of a sample, s.
+    pub sample: f64,
+    /// Most samples of one cost.
+    pub samples: usize,
+    /// Fewest samples, however long they take.
+    pub fewest: usize,
+    /// No new samples after this time on one set of costs, s.
+    pub budget: f64,
+    /// Elements of each array of the triad.
+    pub triad: usize,
+    /// Particles of the splash that is laid side by side.
+    pub splash: usize,
+}
+
+impl Effort {
+    /// For figures to keep.
+    pub const FULL: Effort = Effort {
+        sample: 0.01,
+        samples: 11,
+        fewest: 5,
+        budget: 4.0,
+        triad: 32 << 20,
+        splash: 8000,
+    };
+    /// For a look.
+    pub const QUICK: Effort = Effort {
+        sample: 0.004,
+        samples: 5,
+        fewest: 3,
+        budget: 0.6,
+        triad: 16 << 20,
+        splash: 3000,
+    };
+}
+
+impl Options {
+    /// Everything, in some minutes.
+    pub fn full(threads: usize) -> Self {
+        Self {
+            dimensions: vec![2, 3],
+            sizes: vec![10_000, 125_000, 1_000_000],
+            threads: up_to(threads),
+            variants: vec![Variant {
+                instructions: Instructions::Best,
+            }],
+            effort: Effort::FULL,
+        }
+    }
+
+    /// The smaller sizes, in less than a minute.
+    pub fn quick(threads: usize) -> Self {
+        Self {
+            sizes: vec![10_000, 125_000],
+            effort: Effort::QUICK,
+            ..Self::full(threads)
+        }
+    }
+}
+
+/// One thread, powers of two, and `most`.
+fn up_to(most: usize) -> Vec<usize> {
+    let most = most.max(1);
+    let powers = (0..usize::BITS).map(|k| 1 << k);
+    powers.take_while(|&n| n < most).chain([most]).collect()
+}
+
+/// Reads "10k", "125k", "1M" or a plain number of particles.
+///
+/// # Errors
+/// If it is none of these, or less than 100.
+pub fn particle_count(text: &str) -> Result<usize, String> {
+    let (digits, factor) = match text.strip_suffix(['k', 'M']) {
+        Some(digits) if text.ends_with('k') => (digits, 1_000),
+        Some(digits) => (digits, 1_000_000),
+        None => (text, 1),
+    };
+    let count = (digits.parse::<usize>().ok()).and_then(|count| count.checked_mul(factor));
+    count.filter(|&count| count >= 100).ok_or_else(|| {
+        format!("expected a number of particles from 100 on, such as 125k or 1M, found {text:?}")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_have_their_letters() {
+        assert_eq!(particle_count("10k"), Ok(10_000));
+        assert_eq!(particle_count("2M"), Ok(2_000_000));
+        assert_eq!(particle_count("1234"), Ok(1234));
+        for wrong in ["", "k", "99", "1.5k", "-3k", "10K", "99999999999999999999M"] {
+            assert!(particle_count(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn threads_double_up_to_the_most() {
+        assert_eq!(up_to(1), [1]);
+        assert_eq!(up_to(2), [1, 2]);
+        assert_eq!(up_to(6), [1, 2, 4, 6]);
+    }
+}
