@@ -104,6 +104,7 @@ fn assemble(
             artificial_viscosity: physics.artificial_viscosity,
             viscosity: physics.viscosity,
             body_force: physics.body_force,
+            velocity_smoothing: physics.velocity_smoothing,
             surface_tension: physics.surface_tension.filter(|_| any_tension),
             damping: physics.damping,
             integrator: physics.integrator,

@@ -40,6 +40,8 @@ pub struct Findings {
 pub fn measure(case: &Case, series: &Series) -> Findings {
     let mut findings = Findings::default();
     oscillation(case, series, &mut findings);
+    extremes(case, series, &mut findings);
+    curvature(case, series, &mut findings);
     static_pressure(case, series, &mut findings);
     common(case, series, &mut findings);
     findings
@@ -103,12 +105,20 @@ fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
     let fluid = &case.fluids[body.fluid];
     let given = Some(("given", fluid.surface_tension));
     let theory = expected::oscillation(case);
-    let columns = [
+    let by_moments = [
         ("semi-axis x", "", "axis x (moments)"),
         ("semi-axis y", "-y", "axis y (moments)"),
+    ];
+    let by_tips = [
         ("tip semi-axis x", "-tip-x", "axis x (tips)"),
         ("tip semi-axis y", "-tip-y", "axis y (tips)"),
     ];
+    // Second moments show mode 2 alone.
+    let columns: Vec<_> = match asked.mode {
+        2 => by_moments.into_iter().chain(by_tips).collect(),
+        _ => by_tips.to_vec(),
+    };
+    let main = columns[0].1;
     for (column, suffix, label) in columns {
         let Some((time, values)) = window(series, column, asked.from, asked.to) else {
             findings.complaints.push(format!(
@@ -123,7 +133,7 @@ fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
                     .complaints
                     .push(format!("no oscillation was fitted to {label}: {error}"));
                 // What the moments do not show, the tips do not show either.
-                if suffix.is_empty() {
+                if suffix == main {
                     return;
                 }
                 continue;
@@ -135,7 +145,7 @@ fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
         let id = format!("sigma-oscillation{suffix}");
         let name = format!("surface tension by {label}");
         findings.add(&id, &name, "N/m", given, sigma.plain);
-        if suffix.is_empty() {
+        if suffix == main {
             let id = "sigma-oscillation-corrected";
             let name = "the same, corrected for damping";
             findings.add(id, name, "N/m", given, sigma.damping_corrected);
@@ -145,6 +155,79 @@ fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
             let rate = viscous.map(|v| ("linear viscous theory", v.damping_rate));
             findings.add("damping-rate", "damping rate", "/s", rate, fit.damping_rate);
             findings.fit = Some(fit);
+        }
+    }
+}
+
+/// The largest reach of the first body along x, and when it is back at its least.
+fn extremes(case: &Case, series: &Series, findings: &mut Findings) {
+    if !case.measure.extremes {
+        return;
+    }
+    let Some((time, reach)) = window(series, "tip semi-axis x", 0.0, case.end_time) else {
+        findings
+            .complaints
+            .push("no extremes: the series has no column \"tip semi-axis x\" (several bodies, or a periodic box)".into());
+        return;
+    };
+    // Of particle centres, as papers print it.
+    let reach: Vec<f64> = reach.iter().map(|x| x - 0.5 * case.spacing).collect();
+    let first_from = |start: usize, sign: f64| {
+        (start.max(1)..reach.len().saturating_sub(1)).find(|&k| {
+            // Half a per cent off either way is no swing.
+            let beyond = &reach[k..];
+            let turned =
+                (beyond.iter()).find(|&&x| (sign * (x - reach[k])).abs() > 0.005 * reach[0]);
+            sign * (reach[k] - reach[k - 1]) >= 0.0
+                && turned.is_some_and(|x| sign * (x - reach[k]) < 0.0)
+                && reach[k..]
+                    .iter()
+                    .take_while(|x| sign * (*x - reach[k]) > -0.005 * reach[0])
+                    .all(|x| sign * (x - reach[k]) <= 0.0)
+        })
+    };
+    let Some(top) = first_from(1, 1.0) else {
+        findings
+            .complaints
+            .push("no extremes: the first body does not swing".into());
+        return;
+    };
+    findings.add(
+        "largest-extent",
+        "largest extent along x",
+        "m",
+        None,
+        exact(reach[top]),
+    );
+    findings.add(
+        "largest-extent-time",
+        "time of the largest extent",
+        "s",
+        None,
+        exact(time[top]),
+    );
+    match first_from(top + 1, -1.0) {
+        Some(back) => findings.add(
+            "swing-period",
+            "time until it is back",
+            "s",
+            None,
+            exact(time[back]),
+        ),
+        None => findings
+            .complaints
+            .push("the first body does not swing back before the end".into()),
+    }
+}
+
+/// Curvature at the places asked for, at the start.
+fn curvature(case: &Case, series: &Series, findings: &mut Findings) {
+    for place in &case.measure.curvature {
+        let column = series.column(&format!("curvature at {}", place.name));
+        if let Some(&first) = column.and_then(<[f64]>::first) {
+            let id = format!("curvature-{}", place.name);
+            let name = format!("curvature at {}, at the start", place.name);
+            findings.add(&id, &name, "1/m", None, exact(first));
         }
     }
 }

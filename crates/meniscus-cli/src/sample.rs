@@ -21,6 +21,7 @@ pub struct Sampler<'a, const D: usize> {
     /// What the columns of each body and sensor are named by.
     body_names: Vec<String>,
     sensor_names: Vec<String>,
+    curvature_names: Vec<String>,
     /// Bodies whose shape is followed: none where the flow is periodic, since
     /// a body may then lie on both sides of the box.
     bodies: usize,
@@ -41,6 +42,10 @@ impl<'a, const D: usize> Sampler<'a, D> {
             sensor_names: names(
                 "sensor",
                 case.measure.sensors.iter().map(|s| s.name.as_str()),
+            ),
+            curvature_names: names(
+                "place",
+                case.measure.curvature.iter().map(|s| s.name.as_str()),
             ),
             sensors: case.measure.sensors.iter().map(|s| sensor(s.at)).collect(),
             bodies: if periodic {
@@ -96,6 +101,12 @@ impl<'a, const D: usize> Sampler<'a, D> {
         for name in &self.sensor_names {
             columns.push(Column::new(&format!("pressure at {name}"), "Pa"));
         }
+        for axis in &AXES[..D] {
+            columns.push(Column::new(&format!("net surface force {axis}"), &per("N")));
+        }
+        for name in &self.curvature_names {
+            columns.push(Column::new(&format!("curvature at {name}"), "1/m"));
+        }
         columns
     }
 
@@ -146,6 +157,15 @@ impl<'a, const D: usize> Sampler<'a, D> {
         for sensor in &self.sensors {
             let reading = sensor.read(&p.position, &p.mass, &p.density, &p.pressure);
             row.push(reading.map_or(f64::NAN, |reading| reading.value));
+        }
+        let surface = simulation.surface();
+        row.extend(surface.net_force.0);
+        for place in &self.case.measure.curvature {
+            let at = Vector::<f64, D>::from_3d(place.at);
+            let distance = |i: &usize| (p.position[*i] - at).norm();
+            let nearest = (0..p.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            let found = nearest.and_then(|i| surface.curvature.get(i));
+            row.push(found.copied().unwrap_or(f64::NAN));
         }
         row
     }
@@ -236,6 +256,10 @@ pub fn frame<const D: usize>(simulation: &Simulation<D>) -> Frame {
     if surface.curvature.len() == p.len() {
         fields.push(scalar("curvature", "1/m", &|i| surface.curvature[i]));
         fields.push(scalar("colour", "", &|i| surface.colour[i]));
+        fields.push(vector("normal", "1/m", &surface.normal));
+        fields.push(scalar("normal length", "1/m", &|i| {
+            surface.normal[i].norm()
+        }));
     }
     Frame {
         time: simulation.time(),

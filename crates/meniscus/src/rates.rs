@@ -6,13 +6,14 @@ use crate::divergence::{self, Culprit};
 use crate::fluid::Fluid;
 use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
-use crate::physics::continuity::Continuity;
+use crate::physics::continuity::{Continuity, NumberContinuity};
 use crate::physics::equation_of_state::Tait;
 use crate::physics::momentum::{Mixture, Momentum, OneFluid};
 use crate::physics::summation::Summation;
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
 use crate::physics::surface_tension::surface::Surface;
+use crate::physics::velocity_smoothing::VelocitySmoothing;
 use crate::scheme::{DensityForm, Scheme};
 use crate::term::{PairTerm, Sweep};
 use crate::vector::Vector;
@@ -67,6 +68,7 @@ pub(crate) struct Rates<const D: usize> {
     /// Mass of all particles, kg, where it is the same and there is one fluid.
     one_mass: Option<f64>,
     scalars: Vec<f64>,
+    vectors: Vec<Vector<f64, D>>,
 }
 
 impl<const D: usize> Rates<D> {
@@ -97,17 +99,24 @@ impl<const D: usize> Rates<D> {
             surface: Surface::default(),
             forces: Vec::new(),
             scalars: Vec::new(),
+            vectors: Vec::new(),
         }
     }
 
     /// Density at the end of a step of `dt` seconds, then pressure. By
-    /// continuity from positions and velocities at its middle; by summation
-    /// from positions at its end.
+    /// continuity from positions and velocities at its middle, where XSPH moves
+    /// particles too; by summation from positions at its end.
     pub(crate) fn advance_density(&mut self, particles: &mut Particles<D>, dt: f64) {
         match self.scheme.density {
-            DensityForm::Continuity => {
-                self.pairs
-                    .sweep(&Continuity, particles, |_| true, &mut self.scalars);
+            DensityForm::Continuity | DensityForm::Number => {
+                if self.scheme.density == DensityForm::Number {
+                    self.pairs
+                        .sweep(&NumberContinuity, particles, |_| true, &mut self.scalars);
+                } else {
+                    self.pairs
+                        .sweep(&Continuity, particles, |_| true, &mut self.scalars);
+                }
+                self.smooth_motion(particles, dt);
                 (particles.density.par_iter_mut(), &self.scalars)
                     .into_par_iter()
                     .with_min_len(ROWS_PER_TASK)
@@ -120,6 +129,21 @@ impl<const D: usize> Rates<D> {
             }
         }
         self.update_pressure(particles);
+    }
+
+    /// Moves particles towards the velocity of their surroundings, for `dt` seconds.
+    fn smooth_motion(&mut self, particles: &mut Particles<D>, dt: f64) {
+        let strength = self.scheme.velocity_smoothing;
+        if strength == 0.0 {
+            return;
+        }
+        let term = VelocitySmoothing { strength };
+        self.pairs
+            .sweep(&term, particles, |_| true, &mut self.vectors);
+        (particles.position.par_iter_mut(), &self.vectors)
+            .into_par_iter()
+            .with_min_len(ROWS_PER_TASK)
+            .for_each(|(position, velocity)| *position += *velocity * dt);
     }
 
     pub(crate) fn update_pressure(&self, particles: &mut Particles<D>) {

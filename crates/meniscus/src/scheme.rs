@@ -12,6 +12,8 @@ pub use crate::physics::viscosity::ViscosityForm;
 pub enum DensityForm {
     /// D rho/Dt = rho_i sum_j V_j (v_i - v_j) . grad W
     Continuity,
+    /// D rho_i/Dt = m_i sum_j (v_i - v_j) . grad W (Ott and Schnetter), for fluids of different density
+    Number,
     /// rho_i = sum_j m_j W
     Summation,
 }
@@ -52,6 +54,9 @@ pub struct Scheme {
     pub viscosity: ViscosityForm,
     /// Body force, if any.
     pub body_force: Option<BodyForce>,
+    /// epsilon of XSPH, by which particles move with their surroundings; zero for none. Not with
+    /// density by summation.
+    pub velocity_smoothing: f64,
     /// Model of surface tension, if any; acts where a fluid's surface tension is not zero.
     pub surface_tension: Option<SurfaceTension>,
     /// Rate k of a drag -k v that brings a flow to rest, 1/s; zero for none.
@@ -74,6 +79,7 @@ impl Scheme {
             artificial_viscosity: 0.1,
             viscosity: ViscosityForm::MonaghanCleary,
             body_force: None,
+            velocity_smoothing: 0.0,
             surface_tension: None,
             damping: 0.0,
             integrator: Integrator::Symplectic,

@@ -6,7 +6,7 @@ use crate::fluid::Fluid;
 use crate::pairs::Domain;
 use crate::particles::Particle;
 use crate::physics::body_force::BodyForce;
-use crate::scheme::{Scheme, TimeStep};
+use crate::scheme::{DensityForm, Scheme, TimeStep};
 
 /// Everything that a simulation starts from.
 #[derive(Clone, Debug)]
@@ -48,7 +48,14 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
     let mut at_least_zero = vec![
         ("artificial viscosity", scheme.artificial_viscosity),
         ("damping", scheme.damping),
+        ("velocity smoothing", scheme.velocity_smoothing),
     ];
+    if scheme.density == DensityForm::Summation && scheme.velocity_smoothing != 0.0 {
+        return complain(
+            "velocity smoothing moves particles where density follows from continuity, not by summation"
+                .into(),
+        );
+    }
     match scheme.time_step {
         TimeStep::Fixed(dt) => positive.push(("time step", dt)),
         TimeStep::Adaptive { safety } if safety > 1.0 => {

@@ -120,7 +120,7 @@ impl<const D: usize> Simulation<D> {
         let dt = self.next_step;
         let damping = self.rates.scheme.damping;
         kick_drift(&mut self.particles, dt, damping);
-        if self.rates.scheme.density == DensityForm::Continuity {
+        if self.rates.scheme.density != DensityForm::Summation {
             self.refresh_lists();
             (self.table.advance_density)(&mut self.rates, &mut self.particles, dt);
         }

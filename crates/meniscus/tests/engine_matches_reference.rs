@@ -8,7 +8,7 @@ use meniscus::fluid::Fluid;
 use meniscus::pairs::{Instructions, Pairs};
 use meniscus::physics::continuity::Continuity;
 use meniscus::physics::momentum::{Mixture, Momentum, OneFluid, PressureForm};
-use meniscus::physics::surface_tension::curvature::{CorrectedCurvature, Curvature};
+use meniscus::physics::surface_tension::curvature::{CorrectedCurvature, Curvature, Weighting};
 use meniscus::physics::surface_tension::gradient::{CorrectedGradient, Gradient, Smoothed};
 use meniscus::physics::viscosity::ViscosityForm;
 use meniscus::term::{Record, Sweep};
@@ -189,6 +189,7 @@ fn check<const D: usize>(cloud: &Cloud) -> Result<(), TestCaseError> {
     let curvature = Curvature {
         normal: &normal,
         shortest: 0.5,
+        weighting: Weighting::NormalLength,
     };
     compare("curvature", &curvature, cloud, &domain, &mut pairs, p)?;
     let corrected = CorrectedCurvature(curvature);

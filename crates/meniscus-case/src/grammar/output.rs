@@ -21,8 +21,12 @@ pub struct Measure {
     pub oscillation: Option<Oscillation>,
     /// The pressure inside a drop at rest.
     pub static_pressure: Option<StaticPressure>,
+    /// Whether the largest extent of the first body, and the time until it is back, are read off.
+    pub extremes: bool,
     /// Pressure sensors.
     pub sensors: Vec<Sensor>,
+    /// Places where the curvature of the surface is read.
+    pub curvature: Vec<Sensor>,
 }
 
 /// A damped cosine fitted to the semi-axes; its frequency gives the surface tension.
@@ -45,7 +49,7 @@ pub struct StaticPressure {
     pub to: f64,
 }
 
-/// A pressure sensor.
+/// A place where something is read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensor {
     /// Its name in the time series.
@@ -120,7 +124,20 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64) -> Measure {
                 })
             },
         ),
+        extremes: fields
+            .optional(
+                "extremes",
+                "Read off how far the first body reaches along x at most, and when it is back: for large swings.",
+                |node| node.table(|_| ()),
+            )
+            .is_some(),
         sensors: fields.or("sensors", "[]", "Pressure sensors.", sensors),
+        curvature: fields.or(
+            "curvature",
+            "[]",
+            "Places where the curvature of the surface is read, from the nearest particle.",
+            sensors,
+        ),
     })
 }
 

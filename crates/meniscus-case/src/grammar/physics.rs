@@ -1,6 +1,7 @@
 //! What is solved.
 
-use meniscus::physics::surface_tension::continuum::{Continuum, Correction, Strength};
+use meniscus::physics::surface_tension::continuum::{Calibration, Continuum, Correction, Form};
+use meniscus::physics::surface_tension::curvature::Weighting;
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
 use meniscus::scheme::{
     BodyForce, DensityForm, Integrator, PressureForm, SurfaceTension, TimeStep, ViscosityForm,
@@ -16,6 +17,7 @@ pub(crate) struct Physics {
     pub artificial_viscosity: f64,
     pub viscosity: ViscosityForm,
     pub body_force: Option<BodyForce>,
+    pub velocity_smoothing: f64,
     pub surface_tension: Option<SurfaceTension>,
     pub damping: f64,
     pub integrator: Integrator,
@@ -27,6 +29,7 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
         density: fields.or("density", "'continuity'", "How density is found.", |node| {
             let names = [
                 ("continuity", DensityForm::Continuity),
+                ("number", DensityForm::Number),
                 ("summation", DensityForm::Summation),
             ];
             node.name_of("density form", &names)
@@ -61,6 +64,12 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
                 ];
                 node.name_of("viscosity form", &names)
             },
+        ),
+        velocity_smoothing: fields.or(
+            "velocity_smoothing",
+            "0.0",
+            "epsilon of XSPH: particles move with their surroundings.",
+            velocity_smoothing,
         ),
         surface_tension: fields.or(
             "surface_tension",
@@ -104,6 +113,18 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
             },
         ),
     })
+}
+
+fn velocity_smoothing(node: &mut Node<'_>) -> f64 {
+    let strength = node.number(Sign::NotNegative);
+    if strength > 1.0 {
+        node.fail(
+            format!("`velocity_smoothing` is {strength}"),
+            "more than 1",
+            "0.3 is usual",
+        );
+    }
+    strength
 }
 
 const SURFACE_TENSION: &[Choice<Option<SurfaceTension>>] = &[
@@ -164,20 +185,45 @@ fn continuum(node: &mut Node<'_>) -> Continuum {
         ),
         threshold: fields.or(
             "threshold",
-            "0.01",
-            "Normals shorter than this over h count as none.",
+            "0.1",
+            "Normals shorter than this over h count as none; the paper has 0.01, which disorder upsets.",
             |node| node.number(Sign::NotNegative),
         ),
-        strength: fields.or(
-            "strength",
-            "'normalised'",
-            "\"normalised\" by the sum over a flat surface, or \"printed\": 2, between two fluids 1.",
+        weighting: fields.or(
+            "weighting",
+            "'normal-length'",
+            "What the others weigh in the curvature of their neighbours.",
             |node| {
                 let names = [
-                    ("normalised", Strength::Normalised),
-                    ("printed", Strength::Printed),
+                    ("normal-length", Weighting::NormalLength),
+                    ("volume", Weighting::Volume),
                 ];
-                node.name_of("strength", &names)
+                node.name_of("weighting", &names)
+            },
+        ),
+        calibration: fields.or(
+            "calibration",
+            "'flat-layer'",
+            "What the force is multiplied by: what makes it add up to sigma on a flat layer, or the paper's 2 (between two fluids 1).",
+            |node| {
+                let names = [
+                    ("flat-layer", Calibration::FlatLayer),
+                    ("printed", Calibration::Printed),
+                ];
+                node.name_of("calibration", &names)
+            },
+        ),
+        form: fields.or(
+            "form",
+            "'balanced'",
+            "How curvature and normals become a force.",
+            |node| {
+                let names = [
+                    ("balanced", Form::Balanced),
+                    ("force", Form::Force),
+                    ("stress", Form::Stress),
+                ];
+                node.name_of("form", &names)
             },
         ),
     })

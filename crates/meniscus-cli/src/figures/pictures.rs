@@ -33,14 +33,32 @@ pub fn figures(
             "Particles, seen from the side",
         ),
     };
-    Ok(vec![
+    let mut figures = vec![
         pictures(case, &frames, "Pressure", "Pa")
             .view(slice(case, &frames))
             .figure("pressure", &format!("{inside}, coloured by pressure.")),
         pictures(case, &frames, "Speed", "m/s")
             .view(View::Whole(direction(case)))
             .figure("speed", &format!("{outside}, coloured by speed.")),
-    ])
+    ];
+    if !case.measure.curvature.is_empty() {
+        for (label, unit) in [
+            ("Colour", ""),
+            ("Normal length", "1/m"),
+            ("Curvature", "1/m"),
+        ] {
+            let name = label.to_lowercase();
+            figures.push(
+                pictures(case, &frames[..1], label, unit)
+                    .view(slice(case, &frames))
+                    .figure(
+                        &name.replace(' ', "-"),
+                        &format!("{inside} at the start, coloured by {name}."),
+                    ),
+            );
+        }
+    }
+    Ok(figures)
 }
 
 fn pictures(case: &Case, frames: &[Frame], label: &str, unit: &str) -> ParticlePictures {

@@ -2,7 +2,10 @@
 //!
 //! D rho_i / Dt = rho_i sum_j V_j (v_i - v_j) . grad W_ij,   V = m / rho
 //!
-//! Jancik and Hyhlik, eq. 2. Exact for a rigid motion, also at a free surface.
+//! Jancik and Hyhlik, eq. 2; or with V_i in place of V_j, that is
+//! D rho_i / Dt = m_i sum_j (v_i - v_j) . grad W_ij, Ott and Schnetter (2003),
+//! physics/0303112; Qiang, Chen and Gao, eq. 8: by the number of neighbours, whatever
+//! their volume. Both are exact for a rigid motion, also at a free surface.
 
 use crate::particles::Particles;
 use crate::real::Real;
@@ -38,5 +41,23 @@ impl<const D: usize> PairTerm<D> for Continuity {
     #[inline(always)]
     fn pair<R: Real>(&self, i: &Moving<R, D>, j: &Moving<R, D>, ij: &Pair<R, D>, sum: &mut R) {
         *sum = *sum + (i.velocity - j.velocity).dot(&ij.grad_w) * j.volume;
+    }
+}
+
+/// The form of Ott and Schnetter: sums to (1/rho) D rho / Dt, 1/s.
+#[derive(Clone, Copy, Debug)]
+pub struct NumberContinuity;
+
+impl<const D: usize> PairTerm<D> for NumberContinuity {
+    type Record<R: Real> = Moving<R, D>;
+    type Sum<R: Real> = R;
+
+    fn record(&self, particles: &Particles<D>, i: usize) -> Moving<f64, D> {
+        Continuity.record(particles, i)
+    }
+
+    #[inline(always)]
+    fn pair<R: Real>(&self, i: &Moving<R, D>, j: &Moving<R, D>, ij: &Pair<R, D>, sum: &mut R) {
+        *sum = *sum + (i.velocity - j.velocity).dot(&ij.grad_w) * i.volume;
     }
 }

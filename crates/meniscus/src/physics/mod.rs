@@ -5,6 +5,7 @@
 //! - [`momentum`]: pressure gradient and viscous force
 //! - [`viscosity`]: artificial and laminar
 //! - [`body_force`]: gravity and shaken frames
+//! - [`velocity_smoothing`]: XSPH
 //! - [`surface_tension`]: one file per model
 
 pub mod body_force;
@@ -13,4 +14,5 @@ pub mod equation_of_state;
 pub mod momentum;
 pub mod summation;
 pub mod surface_tension;
+pub mod velocity_smoothing;
 pub mod viscosity;

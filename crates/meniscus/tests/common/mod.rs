@@ -31,6 +31,7 @@ pub fn scheme(spacing: f64) -> Scheme {
         artificial_viscosity: 0.0,
         viscosity: ViscosityForm::Morris,
         body_force: None::<BodyForce>,
+        velocity_smoothing: 0.0,
         surface_tension: None,
         damping: 0.0,
         integrator: Integrator::Symplectic,

@@ -1,11 +1,11 @@
 //! Curvature as the divergence of unit normals u, which point into the liquid:
-//! kappa = -div u, 1/R on a circle, 2/R on a sphere. Only particles whose
-//! normal can be relied on (N = 1) take part, on either side of a pair:
+//! kappa = -div u, 1/R on a circle, 2/R on a sphere. Each particle takes part with a
+//! weight w_j: its volume, or none where its normal cannot be relied on.
 //!
-//! - C_i     = sum_j V_j min(N_i, N_j) W_ij
-//! - div u_i = sum_j min(N_i, N_j) V_j (u_j - u_i) . grad W_ij / C_i      (Morris 2000)
-//! - div u_i = trace(A_i^-1 G_i),   G_i = sum_j min(N_i, N_j) V_j (u_j - u_i) grad W_ij,
-//!   A_i = sum_j min(N_i, N_j) V_j (x_j - x_i) grad W_ij                  (CSPM)
+//! - C_i     = sum_j w_j W_ij
+//! - div u_i = sum_j w_j (u_j - u_i) . grad W_ij / C_i                    (Morris 2000)
+//! - div u_i = trace(A_i^-1 G_i),   G_i = sum_j w_j (u_j - u_i) grad W_ij,
+//!   A_i = sum_j w_j (x_j - x_i) grad W_ij                                (CSPM)
 
 use super::gradient::LEAST_MATRIX;
 use super::matrix::Matrix;
@@ -16,14 +16,12 @@ use crate::term::{Pair, PairTerm};
 use crate::vector::Vector;
 
 record! {
-    /// Volume, unit normal and N.
+    /// Unit normal and weight.
     pub struct Oriented<R, D> {
         /// u
         direction: Vector<R, D>,
-        /// V, m^D
-        volume: R,
-        /// N, 0 or 1
-        active: R,
+        /// w, m^D or m^(D-1)
+        weight: R,
     }
 }
 
@@ -37,19 +35,31 @@ record! {
     }
 }
 
+/// What a particle whose normal can be relied on weighs in a divergence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weighting {
+    /// V
+    Volume,
+    /// V |n|: most where the surface is, little deep below it
+    NormalLength,
+}
+
 /// Morris's form: sums to C and C div u.
 #[derive(Clone, Copy, Debug)]
 pub struct Curvature<'a, const D: usize> {
     /// n of each particle, 1/m.
     pub normal: &'a [Vector<f64, D>],
-    /// Normals shorter than this count as none, 1/m.
+    /// Normals shorter than this cannot be relied on, 1/m.
     pub shortest: f64,
+    /// What the others weigh.
+    pub weighting: Weighting,
 }
 
 impl<const D: usize> Curvature<'_, D> {
     /// Whether a normal can be relied on.
     pub(super) fn is_active(&self, normal: &Vector<f64, D>) -> bool {
-        normal.norm_squared() >= self.shortest * self.shortest
+        // No normal has no direction, whatever the threshold.
+        normal.norm_squared() >= (self.shortest * self.shortest).max(f64::MIN_POSITIVE)
     }
 }
 
@@ -59,15 +69,20 @@ impl<const D: usize> PairTerm<D> for Curvature<'_, D> {
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Oriented<f64, D> {
         let normal = self.normal[i];
-        let active = self.is_active(&normal);
+        let length = normal.norm();
+        if !self.is_active(&normal) {
+            return Oriented {
+                direction: Vector::ZERO,
+                weight: 0.0,
+            };
+        }
+        let volume = particles.volume(i);
         Oriented {
-            direction: if active {
-                normal * (1.0 / normal.norm())
-            } else {
-                Vector::ZERO
+            direction: normal * (1.0 / length),
+            weight: match self.weighting {
+                Weighting::Volume => volume,
+                Weighting::NormalLength => volume * length,
             },
-            volume: particles.volume(i),
-            active: if active { 1.0 } else { 0.0 },
         }
     }
 
@@ -79,9 +94,8 @@ impl<const D: usize> PairTerm<D> for Curvature<'_, D> {
         ij: &Pair<R, D>,
         sum: &mut Divergence<R, D>,
     ) {
-        let volume = i.active.min(j.active) * j.volume;
-        sum.correction = sum.correction + volume * ij.w;
-        sum.divergence = sum.divergence + volume * (j.direction - i.direction).dot(&ij.grad_w);
+        sum.correction = sum.correction + j.weight * ij.w;
+        sum.divergence = sum.divergence + j.weight * (j.direction - i.direction).dot(&ij.grad_w);
     }
 }
 
@@ -115,7 +129,7 @@ impl<const D: usize> PairTerm<D> for CorrectedCurvature<'_, D> {
         ij: &Pair<R, D>,
         sum: &mut CorrectableDivergence<R, D>,
     ) {
-        let weighted = ij.grad_w * (i.active.min(j.active) * j.volume);
+        let weighted = ij.grad_w * j.weight;
         sum.gradient
             .add_outer(&(j.direction - i.direction), &weighted);
         // x_j - x_i is minus the offset.
@@ -124,14 +138,9 @@ impl<const D: usize> PairTerm<D> for CorrectedCurvature<'_, D> {
 }
 
 impl<const D: usize> CorrectableDivergence<f64, D> {
-    /// div u, 1/m; uncorrected where too few neighbours are left for A to be inverted.
-    pub fn divergence(&self) -> f64 {
+    /// The gradient of u, one row for each of its components, 1/m.
+    pub fn gradient(&self) -> Matrix<f64, D> {
         let inverse = self.matrix.inverse(LEAST_MATRIX);
-        (0..D)
-            .map(|d| match &inverse {
-                Some(inverse) => self.gradient.0[d].dot(&inverse.0[d]),
-                None => self.gradient.0[d][d],
-            })
-            .sum()
+        Matrix(self.gradient.0.map(|row| inverse.times(&row)))
     }
 }

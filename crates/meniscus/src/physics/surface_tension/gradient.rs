@@ -118,16 +118,12 @@ impl<const D: usize> PairTerm<D> for CorrectedGradient<'_> {
 }
 
 impl<const D: usize> Correctable<f64, D> {
-    /// A^-1 times the gradient; the gradient itself where too few neighbours are
-    /// left for A to be inverted.
+    /// A^-1 times the gradient.
     pub fn corrected(&self) -> Vector<f64, D> {
-        self.matrix
-            .inverse(LEAST_MATRIX)
-            .map_or(self.gradient, |inverse| inverse.times(&self.gradient))
+        self.matrix.inverse(LEAST_MATRIX).times(&self.gradient)
     }
 }
 
-/// The geometric mean of A's eigenvalues below which it is not inverted. At a
-/// plane surface that mean is about 1/2, at a corner 0.2 in 2D and 0.08 in 3D; it
-/// is zero for particles on a line.
-pub(super) const LEAST_MATRIX: f64 = 0.05;
+/// How round A must be to be inverted, see [`Matrix::inverse`]: 1 inside and at a
+/// plane surface, 0.77 at a corner of a square, 0 for particles on a line.
+pub(super) const LEAST_MATRIX: f64 = 0.2;

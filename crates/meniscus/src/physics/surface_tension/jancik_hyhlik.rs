@@ -21,7 +21,7 @@
 //! k_i), and particles with N_i = 0, where C_i = 0, feel no force.
 //! k is the divergence of the inward normal: -1/R on a circle, -2/R on a sphere.
 
-use super::curvature::{Curvature, Divergence};
+use super::curvature::{Curvature, Divergence, Weighting};
 use super::gradient::{Gradient, Smoothed};
 pub use super::surface::Surface;
 use crate::particles::Particles;
@@ -94,7 +94,11 @@ impl JancikHyhlik {
         }
         sweep.sweep(&Gradient { values: colour }, particles, |_| true, normal);
         let shortest = self.threshold / smoothing_length;
-        let term = Curvature { normal, shortest };
+        let term = Curvature {
+            normal,
+            shortest,
+            weighting: Weighting::Volume,
+        };
         let is_active =
             |rows: std::ops::Range<usize>| normal[rows].iter().any(|n| term.is_active(n));
         sweep.sweep(&term, particles, is_active, divergence);
@@ -104,7 +108,7 @@ impl JancikHyhlik {
                 correction,
                 divergence,
             } = divergence[i];
-            *weighted = if correction > 0.0 {
+            *weighted = if term.is_active(&normal[i]) {
                 *active += 1;
                 *weighted * divergence / correction
             } else {
@@ -116,7 +120,7 @@ impl JancikHyhlik {
         force.clear();
         for (i, smoothed) in smoothed.iter().enumerate() {
             let correction = divergence[i].correction;
-            if correction > 0.0 {
+            if term.is_active(&normal[i]) {
                 let k = -smoothed / correction;
                 curvature.push(k);
                 force.push(normal[i] * (surface_tension(i) * k / correction));
@@ -125,6 +129,7 @@ impl JancikHyhlik {
                 force.push(Vector::ZERO);
             }
         }
+        surface.net_force = surface.sum_of_forces(particles);
         surface.add_to(&particles.density, acceleration);
     }
 }

@@ -37,19 +37,20 @@ impl<R: Real, const D: usize> Matrix<R, D> {
 }
 
 impl<const D: usize> Matrix<f64, D> {
-    /// The inverse of a matrix that is the identity where a kernel is full and
-    /// shrinks with what is missing of it; `None` where so little is left, a
-    /// determinant below `least`^D, that the inverse would only be noise.
+    /// The inverse of a sum of w r r^T over neighbours at r, guarded: where they lie so
+    /// nearly on a line or a plane that the inverse would be noise, the geometric mean of
+    /// the eigenvalues below `least` times the arithmetic, the identity over the trace,
+    /// which is right along a line. Zero without neighbours.
     ///
     /// ```
     /// use meniscus::Vector;
     /// use meniscus::physics::surface_tension::matrix::Matrix;
-    /// let inverse = Matrix([Vector([2.0, 1.0]), Vector([1.0, 1.0])]).inverse(0.1);
-    /// assert_eq!(inverse, Some(Matrix([Vector([1.0, -1.0]), Vector([-1.0, 2.0])])));
-    /// let line = Matrix([Vector([1.0, 1.0]), Vector([1.0, 1.0])]);
-    /// assert_eq!(line.inverse(0.1), None);
+    /// let inverse = Matrix([Vector([2.0, 1.0]), Vector([1.0, 1.0])]).inverse(0.2);
+    /// assert_eq!(inverse, Matrix([Vector([1.0, -1.0]), Vector([-1.0, 2.0])]));
+    /// let line = Matrix([Vector([1.0, 1.0]), Vector([1.0, 1.0])]).inverse(0.2);
+    /// assert_eq!(line, Matrix([Vector([0.5, 0.0]), Vector([0.0, 0.5])]));
     /// ```
-    pub fn inverse(&self, least: f64) -> Option<Self> {
+    pub fn inverse(&self, least: f64) -> Self {
         let at = |row: usize, column: usize| self.0[row % D][column % D];
         // The cofactor of an entry; indices wrap, which gives it its sign.
         let cofactor = |row: usize, column: usize| match D {
@@ -62,19 +63,45 @@ impl<const D: usize> Matrix<f64, D> {
                     - at(row + 1, column + 2) * at(row + 2, column + 1)
             }
         };
-        let determinant: f64 = (0..D).map(|column| at(0, column) * cofactor(0, column)).sum();
-        let enough = determinant > least.powi(D as i32);
-        enough.then(|| {
+        let determinant: f64 = (0..D)
+            .map(|column| at(0, column) * cofactor(0, column))
+            .sum();
+        let trace: f64 = (0..D).map(|d| at(d, d)).sum();
+        if determinant > (least * trace / D as f64).powi(D as i32) {
             Matrix(std::array::from_fn(|row| {
                 Vector(std::array::from_fn(|column| {
                     cofactor(column, row) / determinant
                 }))
             }))
-        })
+        } else {
+            Self::diagonal(if trace > 0.0 { 1.0 / trace } else { 0.0 })
+        }
+    }
+
+    /// The identity times `value`.
+    pub fn diagonal(value: f64) -> Self {
+        Matrix(std::array::from_fn(|row| {
+            let mut entries = Vector::ZERO;
+            entries[row] = value;
+            entries
+        }))
+    }
+
+    /// Sum of the entries on the diagonal.
+    pub fn trace(&self) -> f64 {
+        (0..D).map(|d| self.0[d][d]).sum()
     }
 
     /// The matrix times a vector.
     pub fn times(&self, vector: &Vector<f64, D>) -> Vector<f64, D> {
-        Vector(std::array::from_fn(|row| self.0[row].dot(vector)))
+        Vector(self.0.map(|row| row.dot(vector)))
+    }
+
+    /// The trace of the square.
+    pub fn trace_of_square(&self) -> f64 {
+        let entry = |row: usize, column: usize| self.0[row][column] * self.0[column][row];
+        (0..D)
+            .map(|row| (0..D).map(|column| entry(row, column)).sum::<f64>())
+            .sum()
     }
 }

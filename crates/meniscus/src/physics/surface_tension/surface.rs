@@ -1,6 +1,7 @@
 //! What a model of the surface finds on the way.
 
 use super::{continuum, jancik_hyhlik};
+use crate::particles::Particles;
 use crate::vector::Vector;
 
 /// What the model found in the last step: columns of one row per particle.
@@ -14,6 +15,9 @@ pub struct Surface<const D: usize> {
     pub curvature: Vec<f64>,
     /// Force per volume, N/m^3.
     pub force: Vec<Vector<f64, D>>,
+    /// What the forces on all particles add up to, N (N/m in 2D), before a model balances
+    /// them: zero for an exact force on closed surfaces.
+    pub net_force: Vector<f64, D>,
     pub(super) active: usize,
     pub(super) jancik_hyhlik: jancik_hyhlik::Scratch<D>,
     pub(super) continuum: continuum::Scratch<D>,
@@ -25,9 +29,18 @@ impl<const D: usize> Surface<D> {
         self.active
     }
 
-    /// Whether the strength of a force that needs it is known.
+    /// Whether what a flat layer tells is known.
     pub(crate) fn is_calibrated(&self) -> bool {
-        self.continuum.strength.is_some()
+        self.continuum.calibration.is_some()
+    }
+
+    /// The sum of the forces on all particles, N (N/m in 2D).
+    pub(super) fn sum_of_forces(&self, particles: &Particles<D>) -> Vector<f64, D> {
+        let mut sum = Vector::ZERO;
+        for (i, force) in self.force.iter().enumerate() {
+            sum += *force * particles.volume(i);
+        }
+        sum
     }
 
     /// Adds the force over density to `acceleration`, m/s^2.

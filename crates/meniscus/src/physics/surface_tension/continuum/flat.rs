@@ -15,6 +15,8 @@ pub struct FlatLayer<const D: usize> {
     pub periodic: [Option<(f64, f64)>; D],
     /// Area of its surfaces in all, m^(D-1).
     area: f64,
+    /// Of the whole, m.
+    height: f64,
 }
 
 impl<const D: usize> FlatLayer<D> {
@@ -25,7 +27,9 @@ impl<const D: usize> FlatLayer<D> {
     pub fn new(surroundings: Surroundings<'_>, support: f64, spacing: f64) -> Self {
         let fluids = surroundings.fluids;
         let find = |inside: bool| {
-            let found = fluids.iter().position(|fluid| (fluid.surface_tension > 0.0) == inside);
+            let found = fluids
+                .iter()
+                .position(|fluid| (fluid.surface_tension > 0.0) == inside);
             found.unwrap_or(0)
         };
         let (inner, outer) = (find(true), find(false));
@@ -56,17 +60,26 @@ impl<const D: usize> FlatLayer<D> {
         Self {
             particles,
             periodic,
+            height: all as f64 * spacing,
             area: 2.0 * spacing.powi(D as i32 - 1),
         }
     }
 
-    /// The sum of |n| V over the area, over normals (1/m) no shorter than `shortest`.
-    pub(super) fn integral(&self, normal: &[Vector<f64, D>], shortest: f64) -> f64 {
-        let sum: f64 = (normal.iter().enumerate())
-            .map(|(i, n)| (n.norm(), self.particles.volume(i)))
-            .filter(|(length, _)| *length >= shortest)
-            .map(|(length, volume)| length * volume)
-            .sum();
-        sum / self.area
+    /// The sum of `value` V over the area, for particles whose row it is given.
+    pub(super) fn integral(&self, value: impl Fn(usize) -> f64) -> f64 {
+        let rows = 0..self.particles.len();
+        rows.map(|i| value(i) * self.particles.volume(i))
+            .sum::<f64>()
+            / self.area
+    }
+
+    /// How far a particle lies below the nearer surface, m; zero between two fluids, where it
+    /// may lie on either side.
+    pub(super) fn depth(&self, i: usize) -> f64 {
+        let height = self.particles.position[i][D - 1];
+        match self.periodic[D - 1] {
+            Some(_) => 0.0,
+            None => height.min(self.height - height),
+        }
     }
 }
