@@ -10,7 +10,8 @@ use std::hint::black_box;
 use meniscus::pairs::{Instructions, Pairs};
 use meniscus::physics::continuity::Continuity;
 use meniscus::physics::momentum::{Momentum, OneFluid, PressureForm};
-use meniscus::physics::surface_tension::jancik_hyhlik::{Colour, Normal};
+use meniscus::physics::surface_tension::curvature::Curvature;
+use meniscus::physics::surface_tension::gradient::{Gradient, Smoothed};
 use meniscus::rates::{Dimension, Space};
 use meniscus::term::Sweep;
 use meniscus::{
@@ -125,7 +126,7 @@ where
         return Ok(());
     }
     pairs.rebuild(&mut particles);
-    let colour: Vec<f64> = particles.velocity.iter().map(|v| v.0[0]).collect();
+    let values: Vec<f64> = particles.velocity.iter().map(|v| v.0[0]).collect();
     let momentum = Momentum {
         material: OneFluid {
             mass: particles.mass[0],
@@ -139,8 +140,12 @@ where
     match work {
         "continuity" => sweep(&mut pairs, &particles, &Continuity),
         "momentum" => sweep(&mut pairs, &particles, &momentum),
-        "colour" => sweep(&mut pairs, &particles, &Colour),
-        "normal" => sweep(&mut pairs, &particles, &Normal { colour: &colour }),
+        "colour" => sweep(&mut pairs, &particles, &Smoothed { weighted: &values }),
+        "normal" => sweep(&mut pairs, &particles, &Gradient { values: &values }),
+        "curvature" => {
+            let (normal, shortest) = (&particles.velocity, 0.0);
+            sweep(&mut pairs, &particles, &Curvature { normal, shortest });
+        }
         other => return Err(format!("there is no work '{other}'").into()),
     }
     Ok(())

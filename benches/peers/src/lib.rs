@@ -60,9 +60,10 @@ impl Case {
             .collect()
     }
 
-    /// Prints the result, as JSON on one line. `positions` in m, at the end.
-    pub fn report(&self, version: &str, seconds: f64, positions: &[[f64; 3]]) {
-        let neighbours = neighbours(positions, SUPPORT * self.spacing());
+    /// Prints the result, as JSON on one line: what `positions` (m, at the
+    /// end) tell, and neighbours within `support` spacings.
+    pub fn report(&self, version: &str, seconds: f64, support: f64, positions: &[[f64; 3]]) {
+        let neighbours = neighbours(positions, support * self.spacing());
         let extent = |d: usize| {
             let along = || positions.iter().map(|x| x[d]);
             along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
@@ -79,18 +80,6 @@ impl Case {
             extent(0),
         );
     }
-}
-
-/// Processor time of this thread so far, s: other programs on the machine do not count.
-pub fn processor_seconds() -> Result<f64, std::io::Error> {
-    let statistics = std::fs::read_to_string("/proc/thread-self/schedstat")?;
-    let nanoseconds = statistics
-        .split(' ')
-        .next()
-        .and_then(|number| number.parse::<f64>().ok());
-    nanoseconds
-        .map(|t| 1e-9 * t)
-        .ok_or_else(|| std::io::Error::other("schedstat without a number"))
 }
 
 /// Mean number of other particles nearer than `support`.

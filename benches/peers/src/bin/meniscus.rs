@@ -2,10 +2,11 @@
 //! viscosity, and the free-surface CSF force of Jancik and Hyhlik.
 //! A fifth argument names the instructions: best (default), avx2, portable.
 
+use cpu_time::ThreadTime;
 use meniscus::pairs::Instructions;
 use meniscus::scheme::TimeStep;
 use meniscus::{Domain, Fluid, Particle, Scheme, Setup, Simulation, SurfaceTension, Vector};
-use peers::{Case, DENSITY, SOUND_SPEED, SUPPORT, SURFACE_TENSION, processor_seconds};
+use peers::{Case, DENSITY, SOUND_SPEED, SUPPORT, SURFACE_TENSION};
 
 fn main() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
@@ -49,17 +50,17 @@ fn run() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
     for _ in 0..case.warm_up {
         simulation.step().map_err(|error| error.to_string())?;
     }
-    let start = processor_seconds()?;
+    let start = ThreadTime::now();
     for _ in 0..case.steps {
         simulation.step().map_err(|error| error.to_string())?;
     }
-    let seconds = processor_seconds()? - start;
+    let seconds = start.elapsed().as_secs_f64();
     let positions: Vec<_> = simulation
         .particles()
         .position
         .iter()
         .map(|x| x.0)
         .collect();
-    case.report("in this repository", seconds, &positions);
+    case.report("in this repository", seconds, SUPPORT, &positions);
     Ok(())
 }
