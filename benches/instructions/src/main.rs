@@ -10,7 +10,6 @@ use std::hint::black_box;
 use meniscus::pairs::{Instructions, Pairs};
 use meniscus::physics::continuity::Continuity;
 use meniscus::physics::momentum::{Momentum, OneFluid, PressureForm};
-use meniscus::physics::surface_tension::curvature::Curvature;
 use meniscus::physics::surface_tension::gradient::{Gradient, Smoothed};
 use meniscus::rates::{Dimension, Space};
 use meniscus::term::Sweep;
@@ -142,10 +141,6 @@ where
         "momentum" => sweep(&mut pairs, &particles, &momentum),
         "colour" => sweep(&mut pairs, &particles, &Smoothed { weighted: &values }),
         "normal" => sweep(&mut pairs, &particles, &Gradient { values: &values }),
-        "curvature" => {
-            let (normal, shortest) = (&particles.velocity, 0.0);
-            sweep(&mut pairs, &particles, &Curvature { normal, shortest });
-        }
         other => return Err(format!("there is no work '{other}'").into()),
     }
     Ok(())
