@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use meniscus::scheme::DensityForm;
+use meniscus::physics::surface_tension::continuum::Form;
+use meniscus::scheme::{DensityForm, SurfaceTension};
 
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::grammar::Draft;
@@ -23,7 +24,10 @@ pub(crate) fn doubts(draft: &Draft, volumes: &[(usize, f64)]) -> Vec<Diagnostic>
             span,
         };
     let mut doubts = Vec::new();
-    let model = draft.physics.surface_tension.is_some();
+    let model = matches!(
+        draft.physics.surface_tension,
+        Some(SurfaceTension::JancikHyhlik(_))
+    );
     for (body, &(fluid, volume)) in draft.bodies.iter().zip(volumes) {
         let radius = meniscus::theory::equivalent_radius(volume, draft.dimension) / draft.spacing;
         let tension = draft
@@ -46,6 +50,17 @@ pub(crate) fn doubts(draft: &Draft, volumes: &[(usize, f64)]) -> Vec<Diagnostic>
                 "at a jitter of 0.05 a drop measured 6 % less surface tension, and drifted; leave jitter out",
             ));
         }
+    }
+    if let Some(SurfaceTension::Continuum(continuum)) = draft.physics.surface_tension
+        && continuum.form == Form::Stress
+        && (draft.fluids.iter()).all(|draft| draft.fluid.surface_tension > 0.0)
+    {
+        doubts.push(doubt(
+            None,
+            "surface tension as a stress pulls the particles of a free surface together".into(),
+            String::new(),
+            "it is meant for the surface between two fluids; take form = \"balanced\"",
+        ));
     }
     for fluid in &draft.fluids {
         let sigma = fluid.fluid.surface_tension;

@@ -22,6 +22,7 @@ fn files(folder: &str) -> Vec<PathBuf> {
 fn good() -> Vec<PathBuf> {
     let mut all = files("tests/cases/good");
     all.extend(files("../../papers/jancik-hyhlik"));
+    all.extend(files("../../papers/qiang-chen-gao"));
     // What a paper's folder is to reproduce is not a case.
     all.retain(|path| !path.ends_with("reproduction.toml"));
     all

@@ -56,9 +56,11 @@ impl Convergence {
             case: String::new(),
             finding: String::new(),
             ratio: false,
+            unit: None,
             published: order(published.collect()),
             theory: None,
             tolerance: self.tolerance,
+            differs: None,
         };
         Ok((number, order(computed.collect())))
     }

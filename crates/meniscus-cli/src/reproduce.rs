@@ -52,6 +52,8 @@ pub struct Number {
     /// Whether the finding is divided by what it is compared with.
     #[serde(default)]
     pub ratio: bool,
+    /// Size of the unit of the table in SI, such as 1e-6; one for SI itself.
+    pub unit: Option<f64>,
     /// The paper's value, if it prints one.
     pub published: Option<f64>,
     /// The exact value, if theory gives one.
@@ -59,6 +61,8 @@ pub struct Number {
     /// How far from the published value still counts as the same; without a
     /// published value, from theory's.
     pub tolerance: f64,
+    /// Why it is known to differ, where it does: no failure then.
+    pub differs: Option<String>,
 }
 
 /// What a case gave, or why it gave nothing.
@@ -110,7 +114,10 @@ pub fn reproduce(
     if json {
         answer(&serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(e.to_string()))?)?;
     } else {
-        let remarks: String = plan.remarks.iter().map(|r| format!("\n\n{r}")).collect();
+        let known = rows.iter().filter_map(Row::known_difference);
+        let remarks: String = (plan.remarks.iter().cloned().chain(known))
+            .map(|r| format!("\n\n{r}"))
+            .collect();
         let table = rows_as_table(&rows);
         answer(&format!("\n{}\n\n{table}{remarks}\n", plan.title))?;
         voice.say(&format!(
@@ -251,6 +258,7 @@ fn value_of(number: &Number, outcome: Option<&Outcome>) -> Result<(f64, Option<f
             ));
         }
     };
+    let divisor = divisor * number.unit.unwrap_or(1.0);
     let uncertainty = finding.uncertainty.map(|half| half / divisor.abs());
     Ok((finding.computed / divisor, uncertainty))
 }

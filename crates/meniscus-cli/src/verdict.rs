@@ -14,6 +14,8 @@ pub enum Verdict {
     Reproduced,
     /// Outside it.
     Differs,
+    /// Outside it, for a reason that is known.
+    KnownToDiffer,
     /// There is nothing to compare with.
     Shown,
     /// The case gave no value.
@@ -31,6 +33,9 @@ pub struct Row {
     computed: Option<f64>,
     uncertainty: Option<f64>,
     tolerance: f64,
+    /// Why it differs, if that is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<String>,
     /// What to think of it.
     pub verdict: Verdict,
 }
@@ -45,6 +50,7 @@ impl Row {
             (Some(value), Some(right)) if (value - right).abs() <= number.tolerance => {
                 Verdict::Reproduced
             }
+            _ if number.differs.is_some() => Verdict::KnownToDiffer,
             _ => Verdict::Differs,
         };
         Self {
@@ -55,8 +61,17 @@ impl Row {
             computed,
             uncertainty: found.and_then(|(_, half)| half),
             tolerance: number.tolerance,
+            reason: (number.differs.clone()).filter(|_| verdict == Verdict::KnownToDiffer),
             verdict,
         }
+    }
+}
+
+impl Row {
+    /// What to say about a number that is known to differ.
+    pub fn known_difference(&self) -> Option<String> {
+        let reason = self.reason.as_ref()?;
+        Some(format!("{}: {reason}", self.about))
     }
 }
 
@@ -82,6 +97,7 @@ pub fn rows_as_table(rows: &[Row]) -> String {
             match row.verdict {
                 Verdict::Reproduced => "reproduced",
                 Verdict::Differs => "differs",
+                Verdict::KnownToDiffer => "differs, see below",
                 Verdict::Shown => "shown",
                 Verdict::NotComputed => "not computed",
             }

@@ -14,6 +14,8 @@ use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
 use crate::physics::surface_tension::surface::Surface;
 use crate::physics::velocity_smoothing::VelocitySmoothing;
+use crate::physics::viscosity::ViscosityForm;
+use crate::physics::viscous_stress::ViscousStress;
 use crate::scheme::{DensityForm, Scheme};
 use crate::term::{PairTerm, Sweep};
 use crate::vector::Vector;
@@ -61,6 +63,7 @@ pub(crate) struct Rates<const D: usize> {
     pub(crate) fluids: Vec<Fluid>,
     pub(crate) pairs: Pairs<D>,
     pub(crate) surface: Surface<D>,
+    viscous_stress: ViscousStress<D>,
     /// For the particles at the surface alone.
     at_surface: Pairs<D>,
     pub(crate) forces: Vec<Box<dyn Force<D>>>,
@@ -91,6 +94,7 @@ impl<const D: usize> Rates<D> {
         );
         Self {
             at_surface,
+            viscous_stress: ViscousStress::default(),
             equations_of_state: fluids.iter().map(Tait::new).collect(),
             one_mass: first.filter(|_| same && fluids.len() == 1),
             scheme,
@@ -178,6 +182,14 @@ impl<const D: usize> Rates<D> {
                     .sweep(&term, particles, |_| true, &mut acceleration);
             }
         }
+        if self.scheme.viscosity == ViscosityForm::Stress && is_viscous(&self.fluids) {
+            self.viscous_stress.accelerate(
+                &mut self.pairs,
+                particles,
+                &self.fluids,
+                &mut acceleration,
+            );
+        }
         self.pull_surface(particles, &mut acceleration);
         if let Some(force) = &self.scheme.body_force {
             let uniform = Vector::from_3d(force.at(time));
@@ -256,14 +268,18 @@ fn mean_spacing<const D: usize>(fluids: &[Fluid], particles: &Particles<D>) -> f
     (volume / particles.len().max(1) as f64).powf(1.0 / D as f64)
 }
 
+fn is_viscous(fluids: &[Fluid]) -> bool {
+    fluids.iter().any(|fluid| fluid.viscosity != 0.0)
+}
+
 /// The terms of the momentum equation that `scheme` has for `fluids`.
 pub(crate) fn momentum<M>(scheme: &Scheme, fluids: &[Fluid], material: M) -> Momentum<M> {
-    let viscous = fluids.iter().any(|fluid| fluid.viscosity != 0.0);
+    let by_pairs = is_viscous(fluids) && scheme.viscosity != ViscosityForm::Stress;
     Momentum {
         material,
         pressure: Some(scheme.pressure),
         artificial_viscosity: scheme.artificial_viscosity,
-        viscosity: viscous.then_some(scheme.viscosity),
+        viscosity: by_pairs.then_some(scheme.viscosity),
         smoothing_length: scheme.smoothing_length,
     }
 }

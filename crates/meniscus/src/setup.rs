@@ -6,6 +6,7 @@ use crate::fluid::Fluid;
 use crate::pairs::Domain;
 use crate::particles::Particle;
 use crate::physics::body_force::BodyForce;
+use crate::physics::surface_tension::SurfaceTension;
 use crate::scheme::{DensityForm, Scheme, TimeStep};
 
 /// Everything that a simulation starts from.
@@ -76,6 +77,19 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
                 "background pressure of {} must be finite, found {}",
                 fluid.name, fluid.background_pressure
             ));
+        }
+    }
+    if let Some(SurfaceTension::Continuum(model)) = &scheme.surface_tension {
+        positive.push(("smoothing length of curvature", model.curvature_smoothing));
+        at_least_zero.push(("threshold of normals", model.threshold));
+        let tensions = || setup.fluids.iter().map(|fluid| fluid.surface_tension);
+        let highest = tensions().fold(0.0, f64::max);
+        let differs = tensions().any(|sigma| sigma > 0.0 && sigma != highest);
+        if differs && tensions().any(|sigma| sigma == 0.0) {
+            return complain(
+                "beside a fluid without surface tension, the surroundings, all others must have the same"
+                    .into(),
+            );
         }
     }
     for (name, value) in at_least_zero {

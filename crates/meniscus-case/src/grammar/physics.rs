@@ -61,6 +61,7 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
                 let names = [
                     ("monaghan-cleary", ViscosityForm::MonaghanCleary),
                     ("morris", ViscosityForm::Morris),
+                    ("stress", ViscosityForm::Stress),
                 ];
                 node.name_of("viscosity form", &names)
             },

@@ -3,7 +3,7 @@
 //! - [`equation_of_state`]: pressure from density
 //! - [`continuity`]: rate of density; [`summation`]: density itself
 //! - [`momentum`]: pressure gradient and viscous force
-//! - [`viscosity`]: artificial and laminar
+//! - [`viscosity`]: artificial and laminar; [`viscous_stress`]: laminar, in two sweeps
 //! - [`body_force`]: gravity and shaken frames
 //! - [`velocity_smoothing`]: XSPH
 //! - [`surface_tension`]: one file per model
@@ -16,3 +16,4 @@ pub mod summation;
 pub mod surface_tension;
 pub mod velocity_smoothing;
 pub mod viscosity;
+pub mod viscous_stress;

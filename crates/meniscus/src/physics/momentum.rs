@@ -220,6 +220,8 @@ impl<M: Material, const D: usize> PairTerm<D> for Momentum<M> {
                 ViscosityForm::MonaghanCleary => {
                     monaghan_cleary(viscosities, &velocity_difference, density_product, ij)
                 }
+                // It is no sum over one pair.
+                ViscosityForm::Stress => velocity_difference * like.zero(),
             } * mass;
         }
     }

@@ -27,6 +27,9 @@ pub enum ViscosityForm {
     Morris,
     /// Monaghan and Cleary: acts along the line of centres (the stress form)
     MonaghanCleary,
+    /// The divergence of the stress of the velocity gradient, in sweeps of its own:
+    /// [`crate::physics::viscous_stress`]
+    Stress,
 }
 
 /// Pi_ij, m^5/(kg s^2), of the artificial viscosity with `alpha_h` = alpha h.

@@ -126,4 +126,4 @@ impl<const D: usize> Correctable<f64, D> {
 
 /// How round A must be to be inverted, see [`Matrix::inverse`]: 1 inside and at a
 /// plane surface, 0.77 at a corner of a square, 0 for particles on a line.
-pub(super) const LEAST_MATRIX: f64 = 0.2;
+pub(crate) const LEAST_MATRIX: f64 = 0.2;

@@ -29,6 +29,11 @@ impl<const D: usize> Surface<D> {
         self.active
     }
 
+    /// What the continuum model multiplies sigma kappa n by; none before its first force.
+    pub fn strength(&self) -> Option<f64> {
+        Some(self.continuum.calibration?.strength)
+    }
+
     /// Whether what a flat layer tells is known.
     pub(crate) fn is_calibrated(&self) -> bool {
         self.continuum.calibration.is_some()

@@ -13,6 +13,7 @@
 //! back the curvature of the surface itself. With k_1 and k_2 the principal curvatures
 //! found, it is k_1 / (1 + k_1 z) + k_2 / (1 + k_2 z).
 
+use super::super::gradient::CorrectedGradient;
 use super::super::matrix::Matrix;
 use super::super::surface::Surface;
 use super::{Continuum, FlatLayer, Form, Surroundings};
@@ -31,7 +32,7 @@ pub enum Calibration {
 #[derive(Clone, Copy, Debug)]
 pub(in super::super) struct Calibrated {
     /// s
-    pub(super) strength: f64,
+    pub(in super::super) strength: f64,
     /// z, m
     depth: f64,
 }
@@ -99,8 +100,12 @@ impl Continuum {
                 let sum = match self.form {
                     Form::Force | Form::Balanced => layer.integral(length),
                     Form::Stress => {
-                        let reach = super::form::reach(sweep, &layer.particles);
-                        layer.integral(|i| length(i) * reach[i])
+                        let term = CorrectedGradient {
+                            values: &surface.colour,
+                        };
+                        let mut sums = Vec::new();
+                        sweep.sweep(&term, &layer.particles, |_| true, &mut sums);
+                        layer.integral(|i| length(i) * sums[i].matrix.0[0][0])
                     }
                 };
                 Calibrated {

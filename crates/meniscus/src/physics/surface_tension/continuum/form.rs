@@ -17,7 +17,7 @@ use super::super::surface::Surface;
 use crate::particles::Particles;
 use crate::real::Real;
 use crate::record;
-use crate::term::{Pair, PairTerm, Sweep};
+use crate::term::{Pair, PairTerm};
 use crate::vector::Vector;
 
 /// How curvature and normals become a force.
@@ -111,33 +111,4 @@ impl<F: Fn(usize) -> f64 + Sync, const D: usize> PairTerm<D> for Stress<'_, F, D
         *sum -= i.tension * (i.tension.dot(&gradient) * i.inverse);
         *sum -= j.tension * (j.tension.dot(&gradient) * j.inverse);
     }
-}
-
-/// Sums to A_tt along the first axis.
-#[derive(Clone, Copy, Debug)]
-struct Reach;
-
-impl<const D: usize> PairTerm<D> for Reach {
-    type Record<R: Real> = R;
-    type Sum<R: Real> = R;
-
-    fn record(&self, particles: &Particles<D>, i: usize) -> f64 {
-        particles.volume(i)
-    }
-
-    #[inline(always)]
-    fn pair<R: Real>(&self, _: &R, volume: &R, ij: &Pair<R, D>, sum: &mut R) {
-        // x_j - x_i is minus the offset.
-        *sum = *sum - *volume * ij.offset[0] * ij.grad_w[0];
-    }
-}
-
-/// A_tt of each particle of a layer whose surface lies along the first axis.
-pub(super) fn reach<const D: usize>(
-    sweep: &mut impl Sweep<D>,
-    particles: &Particles<D>,
-) -> Vec<f64> {
-    let mut sums = Vec::new();
-    sweep.sweep(&Reach, particles, |_| true, &mut sums);
-    sums
 }

@@ -1,0 +1,137 @@
+//! The viscous force as the divergence of the stress, in two sweeps:
+//!
+//! - G_i = sum_j V_j (v_j - v_i) grad W_ij A_i^-1               gradient of velocity, by CSPM
+//! - S_i = mu_i (G_i + G_i^T) A_i^-1
+//! - a_i = 1/rho_i sum_j V_j (S_i + S_j) grad W_ij
+//!
+//! with A_i = sum_j V_j (x_j - x_i) grad W_ij. The second sum is the first one's
+//! adjoint: what is lost is sum_i V_i mu_i (G + G^T) : G, the dissipation of the gradient
+//! itself, up to a free surface, where other forms lose a part of it. Pairs
+//! push each other, and since the stress is symmetric angular momentum is conserved
+//! as well. No traction at a free surface.
+//!
+//! Brookshaw's short forms ([`super::viscosity`]) need one sweep, and damp motion
+//! at the scale of particles, which this form hardly sees.
+
+use super::continuity::{Continuity, Moving};
+use super::surface_tension::curvature::CorrectableDivergence;
+use super::surface_tension::gradient::LEAST_MATRIX;
+use super::surface_tension::matrix::Matrix;
+use crate::fluid::Fluid;
+use crate::particles::Particles;
+use crate::real::Real;
+use crate::record;
+use crate::term::{Pair, PairTerm, Sweep};
+use crate::vector::Vector;
+
+/// Sums to the gradient of velocity, and to A.
+#[derive(Clone, Copy, Debug)]
+pub struct VelocityGradient;
+
+impl<const D: usize> PairTerm<D> for VelocityGradient {
+    type Record<R: Real> = Moving<R, D>;
+    type Sum<R: Real> = CorrectableDivergence<R, D>;
+
+    fn record(&self, particles: &Particles<D>, i: usize) -> Moving<f64, D> {
+        Continuity.record(particles, i)
+    }
+
+    #[inline(always)]
+    fn pair<R: Real>(
+        &self,
+        i: &Moving<R, D>,
+        j: &Moving<R, D>,
+        ij: &Pair<R, D>,
+        sum: &mut CorrectableDivergence<R, D>,
+    ) {
+        let weighted = ij.grad_w * j.volume;
+        sum.gradient
+            .add_outer(&(j.velocity - i.velocity), &weighted);
+        // x_j - x_i is minus the offset.
+        sum.matrix.add_outer(&-weighted, &ij.offset);
+    }
+}
+
+/// Sums to rho a, N/m^3.
+#[derive(Clone, Copy, Debug)]
+pub struct StressDivergence<'a, const D: usize> {
+    /// S of each particle, Pa.
+    pub stress: &'a [Matrix<f64, D>],
+}
+
+record! {
+    /// S and V.
+    pub struct Stressed<R, D> {
+        /// S, Pa
+        stress: Matrix<R, D>,
+        /// V, m^D
+        volume: R,
+    }
+}
+
+impl<const D: usize> PairTerm<D> for StressDivergence<'_, D> {
+    type Record<R: Real> = Stressed<R, D>;
+    type Sum<R: Real> = Vector<R, D>;
+
+    fn record(&self, particles: &Particles<D>, i: usize) -> Stressed<f64, D> {
+        Stressed {
+            stress: self.stress[i],
+            volume: particles.volume(i),
+        }
+    }
+
+    #[inline(always)]
+    fn pair<R: Real>(
+        &self,
+        i: &Stressed<R, D>,
+        j: &Stressed<R, D>,
+        ij: &Pair<R, D>,
+        sum: &mut Vector<R, D>,
+    ) {
+        let weighted = ij.grad_w * j.volume;
+        for d in 0..D {
+            sum.0[d] = sum.0[d] + (i.stress.0[d] + j.stress.0[d]).dot(&weighted);
+        }
+    }
+}
+
+/// Columns that the force needs on its way.
+#[derive(Debug, Default)]
+pub struct ViscousStress<const D: usize> {
+    gradients: Vec<CorrectableDivergence<f64, D>>,
+    stress: Vec<Matrix<f64, D>>,
+    force: Vec<Vector<f64, D>>,
+}
+
+impl<const D: usize> ViscousStress<D> {
+    /// Adds the viscous acceleration, m/s^2.
+    pub fn accelerate(
+        &mut self,
+        sweep: &mut impl Sweep<D>,
+        particles: &Particles<D>,
+        fluids: &[Fluid],
+        acceleration: &mut [Vector<f64, D>],
+    ) {
+        sweep.sweep(&VelocityGradient, particles, |_| true, &mut self.gradients);
+        self.stress.clear();
+        self.stress
+            .extend(self.gradients.iter().zip(&particles.fluid).map(|(sum, &fluid)| {
+                let viscosity = fluids[fluid as usize].viscosity;
+                let inverse = sum.matrix.inverse(LEAST_MATRIX);
+                let gradient = sum.gradient();
+                Matrix(std::array::from_fn(|d| {
+                    let row = Vector(std::array::from_fn(|e| {
+                        viscosity * (gradient.0[d][e] + gradient.0[e][d])
+                    }));
+                    inverse.times(&row)
+                }))
+            }));
+        let stress = &self.stress;
+        let term = StressDivergence { stress };
+        sweep.sweep(&term, particles, |_| true, &mut self.force);
+        for ((a, force), density) in (acceleration.iter_mut().zip(&self.force)).zip(&particles.density)
+        {
+            *a += *force * (1.0 / density);
+        }
+    }
+}
