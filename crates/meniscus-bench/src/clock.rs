@@ -77,15 +77,3 @@ pub fn median(values: impl IntoIterator<Item = f64>) -> f64 {
         _ => 0.5 * (values[(n - 1) / 2] + values[n / 2]),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_median_is_in_the_middle() {
-        assert_eq!(median([3.0, 1.0, 2.0]), 2.0);
-        assert_eq!(median([4.0, 1.0, 2.0, 3.0]), 2.5);
-        assert!(median([]).is_nan());
-    }
-}

@@ -77,7 +77,7 @@ impl<'a, const D: usize> Pace<'a, D> {
     pub fn new(yardstick: &'a Yardstick<'a, D>) -> Self {
         Self {
             yardstick,
-            next: 0,
+            next: yardstick.rows().start,
             rates: Vec::new(),
             accelerations: Vec::new(),
         }
@@ -85,10 +85,10 @@ impl<'a, const D: usize> Pace<'a, D> {
 
     /// Continuity and momentum for about `seconds`; gives s/particle.
     pub fn sample(&mut self, crew: &Crew, seconds: f64) -> f64 {
-        let n = self.yardstick.particles();
-        let rows = ((seconds / YARDSTICK_GUESS) as usize * crew.threads).clamp(1, n);
-        if self.next + rows > n {
-            self.next = 0;
+        let all = self.yardstick.rows();
+        let rows = ((seconds / YARDSTICK_GUESS) as usize * crew.threads).clamp(1, all.len());
+        if self.next + rows > all.end {
+            self.next = all.start;
         }
         let first = self.next;
         self.next += rows;

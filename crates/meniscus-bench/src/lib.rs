@@ -9,7 +9,8 @@
 //! - [`yardstick`]: a plain loop over lists of neighbours, timed in turn with
 //!   all that is measured; [`cost`] is told in yardsticks too
 //!
-//! on the particles of [`state`]. [`flops`] counts the operations of a pair
+//! on the particles of [`state`], and [`memory`]; [`targets`] are set beside
+//! that. [`scaling`] is cost against size. [`flops`] counts the operations of a pair
 //! formula by running it, [`clock`] tells time on a busy machine.
 
 #![deny(missing_docs)]
@@ -17,17 +18,23 @@
 pub mod clock;
 pub mod cost;
 pub mod flops;
+pub mod machine;
+pub mod memory;
 pub mod options;
 pub mod peak;
+pub mod scaling;
 pub mod state;
 pub mod steps;
 pub mod sweeps;
+pub mod targets;
 pub mod variant;
 pub mod yardstick;
 
 use std::fmt;
 
 use clock::Crew;
+use machine::Machine;
+use memory::Memory;
 use meniscus::rates::{Dimension, Space};
 use options::Options;
 use peak::Peak;
@@ -35,11 +42,14 @@ use serde::Serialize;
 use state::{Arrangement, Flow, State, Tile};
 use steps::StepCost;
 use sweeps::Still;
+use targets::Target;
 use variant::VariantName;
 
 /// Everything that was measured.
 #[derive(Clone, Debug, Serialize)]
 pub struct Findings {
+    /// The machine.
+    pub machine: Machine,
     /// The best instructions of the processor that the engine knows.
     pub instructions: &'static str,
     /// Limits of the machine, for each number of threads.
@@ -48,6 +58,10 @@ pub struct Findings {
     pub splashes: Vec<String>,
     /// Costs, one entry for each dimension, size, arrangement and variant.
     pub costs: Vec<Costs>,
+    /// Memory, one entry where the system tells.
+    pub memory: Vec<Memory>,
+    /// What is to be reached.
+    pub targets: Vec<Target>,
 }
 
 /// Costs on one set of particles.
@@ -109,15 +123,26 @@ pub fn run(options: &Options, progress: &mut dyn FnMut(&str)) -> Result<Findings
     let crews = (options.threads.iter())
         .map(|&threads| Crew::new(threads))
         .collect::<Result<Vec<_>, _>>()?;
+    let Some(largest) = crews.last() else {
+        return Err(BenchError::new("there is no thread to measure"));
+    };
+    // First of all: what is given back later may be reused.
+    progress("memory");
+    let memory = memory(options, largest)?;
     progress("the machine's limits");
-    let (samples, elements) = (options.effort.samples, options.effort.triad);
+    let machine = Machine::here();
+    let samples = options.effort.samples;
+    let elements = peak::elements(options.effort.triad, &machine);
     let mut findings = Findings {
+        machine,
         instructions: peak::instructions(),
         peaks: (crews.iter())
             .map(|crew| peak::measure(crew, samples, elements))
             .collect(),
         splashes: Vec::new(),
         costs: Vec::new(),
+        memory,
+        targets: Vec::new(),
     };
     for &dimension in &options.dimensions {
         match dimension {
@@ -125,7 +150,23 @@ pub fn run(options: &Options, progress: &mut dyn FnMut(&str)) -> Result<Findings
             _ => costs::<3>(options, &crews, progress, &mut findings)?,
         }
     }
+    findings.targets = targets::all(&findings);
     Ok(findings)
+}
+
+/// Of the last dimension and the largest size.
+fn memory(options: &Options, crew: &Crew) -> Result<Vec<Memory>, BenchError> {
+    let asked = (options.dimensions.last(), options.sizes.iter().max());
+    let (Some(&dimension), Some(&size), Some(&variant)) =
+        (asked.0, asked.1, options.variants.first())
+    else {
+        return Ok(Vec::new());
+    };
+    let memory = match dimension {
+        2 => memory::measure::<2>(size, variant, crew)?,
+        _ => memory::measure::<3>(size, variant, crew)?,
+    };
+    Ok(memory.into_iter().collect())
 }
 
 fn costs<const D: usize>(
@@ -140,19 +181,21 @@ where
     let Some(largest) = crews.last() else {
         return Err(BenchError::new("there is no thread to measure"));
     };
+    let largest_size = options.sizes.iter().copied().max().unwrap_or(0);
+    let tile_size = options.effort.splash.min(largest_size);
     progress(&format!("{D}D: marching a splash"));
-    let tile = largest.work(|| Tile::<D>::march(options.effort.splash))?;
+    let tile = largest.work(|| Tile::<D>::march(tile_size))?;
     findings.splashes.push(format!("{D}D: {}", tile.story()));
     for &size in &options.sizes {
         for state in [State::lattice(size), State::splash(&tile, size)] {
             for &variant in &options.variants {
-                let what = format!("{D}D: {size} particles, {:?}", state.arrangement);
-                progress(&format!("{what}: sweeps").to_lowercase());
+                let what = format!("{D}D: {size} particles, {}", state.arrangement.name());
+                progress(&format!("{what}: sweeps"));
                 let effort = options.effort;
                 let still = sweeps::measure(&state, variant, crews, &findings.peaks, effort)?;
                 let mut steps = Vec::new();
                 for flow in Flow::ALL {
-                    progress(&format!("{what}: {flow:?} steps").to_lowercase());
+                    progress(&format!("{what}: steps, {}", flow.name()));
                     steps.extend(steps::measure(&state, flow, variant, crews, effort)?);
                 }
                 findings.costs.push(Costs {

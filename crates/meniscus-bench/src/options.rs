@@ -79,6 +79,18 @@ impl Options {
             ..Self::full(threads)
         }
     }
+
+    /// From a thousand particles to ten million, on one thread.
+    pub fn scaling(effort: Effort) -> Self {
+        Self {
+            sizes: (3..6)
+                .flat_map(|power| [1, 2, 5].map(|digit| digit * 10_usize.pow(power)))
+                .chain([1_000_000, 3_000_000, 10_000_000])
+                .collect(),
+            effort,
+            ..Self::full(1)
+        }
+    }
 }
 
 /// One thread, powers of two, and `most`.
@@ -102,26 +114,4 @@ pub fn particle_count(text: &str) -> Result<usize, String> {
     count.filter(|&count| count >= 100).ok_or_else(|| {
         format!("expected a number of particles from 100 on, such as 125k or 1M, found {text:?}")
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn counts_have_their_letters() {
-        assert_eq!(particle_count("10k"), Ok(10_000));
-        assert_eq!(particle_count("2M"), Ok(2_000_000));
-        assert_eq!(particle_count("1234"), Ok(1234));
-        for wrong in ["", "k", "99", "1.5k", "-3k", "10K", "99999999999999999999M"] {
-            assert!(particle_count(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn threads_double_up_to_the_most() {
-        assert_eq!(up_to(1), [1]);
-        assert_eq!(up_to(2), [1, 2]);
-        assert_eq!(up_to(6), [1, 2, 4, 6]);
-    }
 }

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::clock::Crew;
+use crate::machine::Machine;
 
 /// Multiply-adds that do not wait for one another: enough for two units of
 /// four cycles, few enough for sixteen registers.
@@ -66,6 +67,13 @@ pub fn measure(crew: &Crew, samples: usize, elements: usize) -> Peak {
         // The first pass meets pages that are not there yet.
         gigabytes_per_second: (0..=samples).map(|_| triad()).fold(0.0, f64::max),
     }
+}
+
+/// Elements of an array of the triad: `least`, or four times the largest
+/// cache, but not more than 1 GiB.
+pub fn elements(least: usize, machine: &Machine) -> usize {
+    let beyond_cache = 4 * machine.largest_cache().unwrap_or(0) / size_of::<f64>();
+    beyond_cache.clamp(least, least.max(1 << 27))
 }
 
 /// The name of the instructions that the peak, and by default the sweeps, use.

@@ -19,6 +19,8 @@ use crate::yardstick::Yardstick;
 const LIFE: u64 = 24;
 /// Lists that live longer are not waited for.
 const LONGEST_LIST: u64 = 12;
+/// More than any cache holds, in 3D, with their lists.
+const YARDSTICK_ROWS: usize = 200_000;
 
 /// Cost of a whole step.
 #[derive(Clone, Debug, Serialize)]
@@ -61,7 +63,9 @@ where
     let mut simulation = largest.work(|| start(state, flow, variant))?;
     // The yardstick stands still, on the particles as they are now.
     let particles = simulation.particles().clone();
-    let yardstick = largest.work(|| Yardstick::new(&particles, smoothing_length(D), 0.1));
+    let rows = middle(particles.len());
+    let h = smoothing_length(D);
+    let yardstick = largest.work(|| Yardstick::new(&particles, rows, h, 0.1));
     let mut pace = Pace::new(&yardstick);
     let n = particles.len() as f64;
     let mut samples = vec![Samples::default(); crews.len()];
@@ -109,6 +113,13 @@ where
             }
         })
         .collect())
+}
+
+/// Rows for the yardstick to go round in.
+fn middle(particles: usize) -> std::ops::Range<usize> {
+    let rows = particles.min(YARDSTICK_ROWS);
+    let first = (particles - rows) / 2;
+    first..first + rows
 }
 
 /// A flow with lists whose skin is chosen by its motion.

@@ -1,5 +1,6 @@
 //! Each sweep alone, and the lists, on particles that stand still.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
@@ -13,7 +14,7 @@ use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
 use meniscus::rates::{Dimension, Space};
 use meniscus::scheme::PressureForm;
 use meniscus::term::Sweep;
-use meniscus::{Domain, Kernel, PairTerm, Particles};
+use meniscus::{Domain, Kernel, PairTerm, Particles, Vector};
 use serde::Serialize;
 
 use crate::BenchError;
@@ -66,6 +67,9 @@ pub struct Still {
     pub neighbours: f64,
     /// How far lists reach beyond the support, spacings: as the running flow chose.
     pub skin: f64,
+    /// Largest difference of the engine's continuity and momentum from the yardstick's,
+    /// over the largest value.
+    pub difference_from_yardstick: f64,
     /// Pairs of true neighbours over lanes that were worked on.
     pub lane_use: f64,
     /// The yardstick's continuity and momentum for each crew, ns/particle.
@@ -104,7 +108,7 @@ where
     variant.apply(&mut pairs);
     largest.work(|| pairs.rebuild(&mut particles));
     let n = particles.len();
-    let yardstick = largest.work(|| Yardstick::new(&particles, h, ALPHA));
+    let yardstick = largest.work(|| Yardstick::new(&particles, 0..n, h, ALPHA));
     let all_pairs = yardstick.pairs(0..n);
 
     let liquid = fluid(Flow::Plain);
@@ -122,48 +126,49 @@ where
     let volumes: Vec<f64> = (0..n).map(|i| particles.volume(i)).collect();
     let smoothed = Smoothed { weighted: &volumes };
     let mut colour = Vec::new();
-    largest.work(|| pairs.sweep(&smoothed, &particles, |_| true, &mut colour));
+    largest.work(|| pairs.sweep(&smoothed, &particles, everywhere(), &mut colour));
     for f in &mut colour {
         let stretched = model.slope * *f - model.slope + 1.0;
         *f = stretched.max(0.0).powi(model.power as i32);
     }
     let mut normal = Vec::new();
     let gradient = Gradient { values: &colour };
-    largest.work(|| pairs.sweep(&gradient, &particles, |_| true, &mut normal));
+    largest.work(|| pairs.sweep(&gradient, &particles, everywhere(), &mut normal));
     let shortest = model.threshold / h;
-    let near_surface =
-        |rows: std::ops::Range<usize>| normal[rows].iter().any(|n| n.norm() >= shortest);
+    let near_surface = |rows: Range<usize>| normal[rows].iter().any(|n| n.norm() >= shortest);
     let curvature = Curvature {
         normal: &normal,
         shortest,
         weighting: Weighting::Volume,
     };
     let pairs_near_surface = AtomicUsize::new(0);
-    largest.work(|| {
-        let counted = |rows: std::ops::Range<usize>| {
-            let active = near_surface(rows.clone());
-            if active {
-                pairs_near_surface.fetch_add(yardstick.pairs(rows), Ordering::Relaxed);
-            }
-            active
-        };
-        pairs.sweep(&smoothed, &particles, counted, &mut Vec::new());
-    });
+    let counted = |rows: Range<usize>| {
+        let active = near_surface(rows.clone());
+        if active {
+            pairs_near_surface.fetch_add(yardstick.pairs(rows), Ordering::Relaxed);
+        }
+        active
+    };
+    largest.work(|| pairs.sweep(&smoothed, &particles, &counted as Active, &mut Vec::new()));
     let few = pairs_near_surface.into_inner();
     let mut sorted = particles.clone();
+    let (mut rates, mut accelerations) = (Vec::new(), Vec::new());
+    let (mut scalars, mut vectors, mut divergences) = (Vec::new(), Vec::new(), Vec::new());
+    let mut smoothed_again = Vec::new();
+    let (all, few) = ((all_pairs, everywhere()), (few, &near_surface as Active));
     let mut subjects = vec![
         Subject {
             name: "lists",
             formula: None,
             run: Box::new(move |pairs| pairs.rebuild(&mut sorted)),
         },
-        subject("continuity", Continuity, &particles, all_pairs, |_| true),
-        subject("momentum", momentum, &particles, all_pairs, |_| true),
-        subject("colour", smoothed, &particles, all_pairs, |_| true),
-        subject("normal", gradient, &particles, all_pairs, |_| true),
-        subject("curvature", curvature, &particles, few, near_surface),
+        subject("continuity", Continuity, &particles, all, &mut rates),
+        subject("momentum", momentum, &particles, all, &mut accelerations),
+        subject("colour", smoothed, &particles, all, &mut scalars),
+        subject("normal", gradient, &particles, all, &mut vectors),
+        subject("curvature", curvature, &particles, few, &mut divergences),
         // The weights differ; any numbers take as long.
-        subject("smoothing", smoothed, &particles, few, near_surface),
+        subject("smoothing", smoothed, &particles, few, &mut smoothed_again),
     ];
     let pace = Pace::new(&yardstick);
     let (samples, paces) = alternate(&mut subjects, pace, &mut pairs, n, crews, effort);
@@ -180,8 +185,10 @@ where
             });
         }
     }
+    drop(subjects);
     let clusters_times_width = n as f64;
     Ok(Still {
+        difference_from_yardstick: difference(&yardstick, &rates, &accelerations),
         neighbours: all_pairs as f64 / n as f64,
         skin,
         lane_use: all_pairs as f64 / (pairs.entries_per_cluster() * clusters_times_width),
@@ -207,23 +214,49 @@ where
     Ok((simulation.particles().clone(), skin))
 }
 
-fn subject<'a, T, A, const D: usize>(
+fn subject<'a, T, const D: usize>(
     name: &'static str,
     term: T,
     particles: &'a Particles<D>,
-    pairs: usize,
-    active: A,
+    (pairs, active): (usize, Active<'a>),
+    sums: &'a mut Vec<T::Sum<f64>>,
 ) -> Subject<'a, D>
 where
     T: PairTerm<D> + Send + 'a,
-    A: Fn(std::ops::Range<usize>) -> bool + Copy + Send + Sync + 'a,
 {
-    let mut sums = Vec::new();
     Subject {
         name,
         formula: Some((of_pair::<WendlandC2, T, D>(&term), pairs)),
-        run: Box::new(move |pairs| pairs.sweep(&term, particles, active, &mut sums)),
+        run: Box::new(move |pairs| pairs.sweep(&term, particles, active, sums)),
     }
+}
+
+/// Which rows a sweep works on. One type for all sweeps: for each type of it
+/// the engine would be compiled once more.
+type Active<'a> = &'a (dyn Fn(Range<usize>) -> bool + Sync);
+
+fn everywhere() -> Active<'static> {
+    &|_| true
+}
+
+/// The largest difference of continuity and momentum from the yardstick's,
+/// over the largest value of either.
+fn difference<const D: usize>(
+    yardstick: &Yardstick<D>,
+    rates: &[f64],
+    accelerations: &[Vector<f64, D>],
+) -> f64 {
+    let mut own_rates = vec![0.0; rates.len()];
+    yardstick.continuity(0, &mut own_rates);
+    let mut own_accelerations = vec![Vector::ZERO; accelerations.len()];
+    yardstick.momentum(0, &mut own_accelerations);
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+    let of_rates = largest(&mut rates.iter().zip(&own_rates).map(|(a, b)| (a - b).abs()))
+        / largest(&mut own_rates.iter().map(|rate| rate.abs()));
+    let pairs = accelerations.iter().zip(&own_accelerations);
+    let of_accelerations = largest(&mut pairs.map(|(a, b)| (*a - *b).norm()))
+        / largest(&mut own_accelerations.iter().map(Vector::norm));
+    of_rates.max(of_accelerations)
 }
 
 /// Samples of each subject on each crew, in turn with the yardstick.

@@ -3,6 +3,8 @@
 //! time, compiled as it stands. It gets the particles in the engine's order,
 //! which is kind to its caches.
 
+use std::ops::Range;
+
 use meniscus::{Kernel, Particles, Vector};
 use rayon::prelude::*;
 
@@ -12,7 +14,9 @@ use crate::state::SOUND_SPEED;
 #[derive(Debug)]
 pub struct Yardstick<'a, const D: usize> {
     particles: &'a Particles<D>,
-    /// First neighbour of each particle in `neighbours`, and the end.
+    /// The rows that have neighbours here.
+    rows: Range<usize>,
+    /// First neighbour of each of these rows in `neighbours`, and the end.
     starts: Vec<usize>,
     neighbours: Vec<u32>,
     /// m / rho
@@ -28,28 +32,35 @@ pub struct Yardstick<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Yardstick<'a, D> {
-    /// Lists of all neighbours nearer than the support of Wendland's kernel, 2 h.
-    pub fn new(particles: &'a Particles<D>, smoothing_length: f64, alpha: f64) -> Self {
+    /// Lists, for these rows, of all neighbours nearer than the support of
+    /// Wendland's kernel, 2 h.
+    pub fn new(
+        particles: &'a Particles<D>,
+        rows: Range<usize>,
+        smoothing_length: f64,
+        alpha: f64,
+    ) -> Self {
         let position = &particles.position;
         let support = 2.0 * smoothing_length;
         let grid = Grid::new(position, support);
-        let rows: Vec<Vec<u32>> = (position.par_iter().enumerate())
+        let lists: Vec<Vec<u32>> = (rows.clone().into_par_iter())
             .with_min_len(1024)
-            .map(|(i, x)| {
-                let mut row = Vec::new();
-                grid.visit(x, |j| {
-                    let near = (*x - position[j as usize]).norm_squared() < support * support;
+            .map(|i| {
+                let x = position[i];
+                let mut list = Vec::new();
+                grid.visit(&x, |j| {
+                    let near = (x - position[j as usize]).norm_squared() < support * support;
                     if near && j as usize != i {
-                        row.push(j);
+                        list.push(j);
                     }
                 });
-                row
+                list
             })
             .collect();
         let mut starts = vec![0];
-        let mut neighbours = Vec::with_capacity(rows.iter().map(Vec::len).sum());
-        for row in &rows {
-            neighbours.extend_from_slice(row);
+        let mut neighbours = Vec::with_capacity(lists.iter().map(Vec::len).sum());
+        for list in &lists {
+            neighbours.extend_from_slice(list);
             starts.push(neighbours.len());
         }
         let h = smoothing_length;
@@ -57,6 +68,7 @@ impl<'a, const D: usize> Yardstick<'a, D> {
         let columns = || particles.pressure.iter().zip(&particles.density);
         Self {
             particles,
+            rows,
             starts,
             neighbours,
             volume: (0..particles.len()).map(|i| particles.volume(i)).collect(),
@@ -67,17 +79,19 @@ impl<'a, const D: usize> Yardstick<'a, D> {
         }
     }
 
-    /// How many particles there are.
-    pub fn particles(&self) -> usize {
-        self.particles.len()
+    /// The rows that it knows the neighbours of.
+    pub fn rows(&self) -> Range<usize> {
+        self.rows.clone()
     }
 
     /// Directed pairs (i, j), i itself left out, of these rows.
-    pub fn pairs(&self, rows: std::ops::Range<usize>) -> usize {
-        self.starts[rows.end] - self.starts[rows.start]
+    pub fn pairs(&self, rows: Range<usize>) -> usize {
+        let first = self.rows.start;
+        self.starts[rows.end - first] - self.starts[rows.start - first]
     }
 
     fn neighbours(&self, i: usize) -> &[u32] {
+        let i = i - self.rows.start;
         &self.neighbours[self.starts[i]..self.starts[i + 1]]
     }
 

@@ -9,7 +9,7 @@ use meniscus::particles::Particle;
 use super::{SOUND_SPEED, cut, particle};
 
 /// Largest displacement along each axis, spacings.
-const JITTER: f64 = 0.1;
+const JITTER: f64 = 0.05;
 
 /// `count` particles.
 pub fn cube<const D: usize>(count: usize) -> Vec<Particle<D>> {

@@ -17,9 +17,9 @@ use crate::BenchError;
 
 /// Sound speed of the liquid; all is in units of spacing and density.
 pub const SOUND_SPEED: f64 = 10.0;
-/// Drops of some ten spacings that meet at a tenth of the sound speed have a
-/// Weber number of about 100.
-const SURFACE_TENSION: f64 = 0.2;
+/// Drops of twenty spacings that meet at a tenth of the sound speed have a
+/// Weber number of 200: they splash.
+const SURFACE_TENSION: f64 = 0.1;
 
 /// How particles lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -29,6 +29,16 @@ pub enum Arrangement {
     Lattice,
     /// As a splash left them.
     Splash,
+}
+
+impl Arrangement {
+    /// As printed.
+    pub fn name(self) -> &'static str {
+        match self {
+            Arrangement::Lattice => "lattice",
+            Arrangement::Splash => "splash",
+        }
+    }
 }
 
 /// What is solved.
@@ -44,6 +54,14 @@ pub enum Flow {
 impl Flow {
     /// All that is measured.
     pub const ALL: [Flow; 2] = [Flow::Plain, Flow::Csf];
+
+    /// As printed.
+    pub fn name(self) -> &'static str {
+        match self {
+            Flow::Plain => "plain",
+            Flow::Csf => "surface force",
+        }
+    }
 }
 
 /// Smoothing length over the spacing for 75 neighbours in 3D and 26 in 2D,

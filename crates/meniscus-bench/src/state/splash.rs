@@ -15,7 +15,7 @@ const FILLED: f64 = 0.4;
 /// Speed of each drop over the sound speed.
 const MACH: f64 = 0.05;
 /// The end, in times that a drop needs to cross its own diameter.
-const CROSSINGS: f64 = 1.5;
+const CROSSINGS: f64 = 1.0;
 
 /// A box of a splash.
 #[derive(Clone, Debug)]
@@ -63,8 +63,8 @@ where
         periodic: [Some((0.0, side)); D],
     };
     let mut simulation = Simulation::new(Setup {
-        scheme: scheme::<D>(Flow::Csf),
-        fluids: vec![fluid(Flow::Csf)],
+        scheme: scheme::<D>(Flow::Plain),
+        fluids: vec![fluid(Flow::Plain)],
         particles,
         spacing: 1.0,
         domain,
