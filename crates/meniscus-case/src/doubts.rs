@@ -56,7 +56,7 @@ pub(crate) fn doubts(draft: &Draft, volumes: &[(usize, f64)]) -> Vec<Diagnostic>
         && (draft.fluids.iter()).all(|draft| draft.fluid.surface_tension > 0.0)
     {
         doubts.push(doubt(
-            None,
+            Some(draft.physics.surface_tension_span.clone()),
             "surface tension as a stress pulls the particles of a free surface together".into(),
             String::new(),
             "it is meant for the surface between two fluids; take form = \"balanced\"",

@@ -9,6 +9,10 @@ use crate::physics::body_force::BodyForce;
 use crate::physics::surface_tension::SurfaceTension;
 use crate::scheme::{DensityForm, Scheme, TimeStep};
 
+/// Spacings that the kernel must reach for the colour of a surface to fall off over more than
+/// one layer of particles.
+const LEAST_REACH: f64 = 3.0;
+
 /// Everything that a simulation starts from.
 #[derive(Clone, Debug)]
 pub struct Setup<const D: usize> {
@@ -82,6 +86,12 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
     if let Some(SurfaceTension::Continuum(model)) = &scheme.surface_tension {
         positive.push(("smoothing length of curvature", model.curvature_smoothing));
         at_least_zero.push(("threshold of normals", model.threshold));
+        let reach = scheme.kernel.support() * scheme.smoothing_length / setup.spacing;
+        if reach < LEAST_REACH * (1.0 - 1e-9) {
+            return complain(format!(
+                "the kernel reaches {reach:.2} spacings; normals of a surface need {LEAST_REACH}: take a longer smoothing length"
+            ));
+        }
         let tensions = || setup.fluids.iter().map(|fluid| fluid.surface_tension);
         let highest = tensions().fold(0.0, f64::max);
         let differs = tensions().any(|sigma| sigma > 0.0 && sigma != highest);

@@ -1,5 +1,7 @@
 //! What is solved.
 
+use std::ops::Range;
+
 use meniscus::physics::surface_tension::continuum::{Calibration, Continuum, Correction, Form};
 use meniscus::physics::surface_tension::curvature::Weighting;
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
@@ -19,12 +21,15 @@ pub(crate) struct Physics {
     pub body_force: Option<BodyForce>,
     pub velocity_smoothing: f64,
     pub surface_tension: Option<SurfaceTension>,
+    /// Where the model of surface tension stands.
+    pub surface_tension_span: Range<usize>,
     pub damping: f64,
     pub integrator: Integrator,
     pub time_step: TimeStep,
 }
 
 pub(super) fn physics(node: &mut Node<'_>) -> Physics {
+    let mut surface_tension_span = 0..0;
     node.table(|fields| Physics {
         density: fields.or("density", "'continuity'", "How density is found.", |node| {
             let names = [
@@ -76,8 +81,12 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
             "surface_tension",
             "'jancik-hyhlik'",
             "Model of surface tension, where a fluid has any.",
-            |node| node.choice("surface tension model", SURFACE_TENSION),
+            |node| {
+                surface_tension_span = node.span();
+                node.choice("surface tension model", SURFACE_TENSION)
+            },
         ),
+        surface_tension_span: surface_tension_span.clone(),
         body_force: fields.optional(
             "body_force",
             "Acceleration of gravity or of the frame: a vector, or one that changes with time.",
