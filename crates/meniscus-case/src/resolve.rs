@@ -107,6 +107,7 @@ fn assemble(
             velocity_smoothing: physics.velocity_smoothing,
             surface_tension: physics.surface_tension.filter(|_| any_tension),
             damping: physics.damping,
+            walls: Vec::new(),
             integrator: physics.integrator,
             time_step: physics.time_step,
         },

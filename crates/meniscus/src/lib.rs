@@ -38,6 +38,7 @@
 //! - [`fluid`], [`scheme`], [`kernel`]: what is solved, and with what
 //! - [`setup`], [`simulation`]: the start, and the march in time; [`snapshot`]: to stop and go on;
 //!   [`divergence`]: what a run says that blew up
+//! - [`walls`]: what the fluid exerts on walls
 //! - [`measure`]: what an experimenter would measure; [`theory`]: exact results to set beside it
 //!
 //! Who adds physics needs:
@@ -70,6 +71,7 @@ pub mod term;
 pub mod theory;
 pub mod time;
 pub mod vector;
+pub mod walls;
 
 pub use fluid::Fluid;
 pub use kernel::Kernel;

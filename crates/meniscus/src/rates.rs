@@ -16,9 +16,11 @@ use crate::physics::surface_tension::surface::Surface;
 use crate::physics::velocity_smoothing::VelocitySmoothing;
 use crate::physics::viscosity::ViscosityForm;
 use crate::physics::viscous_stress::ViscousStress;
+use crate::physics::wall::Slip;
 use crate::scheme::{DensityForm, Scheme};
 use crate::term::{PairTerm, Sweep};
 use crate::vector::Vector;
+use crate::walls::Walls;
 
 /// Rows that one task works on at least, where the work per row is small.
 pub(crate) const ROWS_PER_TASK: usize = 2048;
@@ -67,6 +69,7 @@ pub(crate) struct Rates<const D: usize> {
     /// For the particles at the surface alone.
     at_surface: Pairs<D>,
     pub(crate) forces: Vec<Box<dyn Force<D>>>,
+    pub(crate) walls: Walls<D>,
     equations_of_state: Vec<Tait>,
     /// Mass of all particles, kg, where it is the same and there is one fluid.
     one_mass: Option<f64>,
@@ -96,6 +99,7 @@ impl<const D: usize> Rates<D> {
             at_surface,
             viscous_stress: ViscousStress::default(),
             equations_of_state: fluids.iter().map(Tait::new).collect(),
+            walls: Walls::new(&scheme.walls, particles),
             one_mass: first.filter(|_| same && fluids.len() == 1),
             scheme,
             fluids,
@@ -111,6 +115,7 @@ impl<const D: usize> Rates<D> {
     /// continuity from positions and velocities at its middle, where XSPH moves
     /// particles too; by summation from positions at its end.
     pub(crate) fn advance_density(&mut self, particles: &mut Particles<D>, dt: f64) {
+        self.walls.go_halfway(&self.pairs, particles, dt);
         match self.scheme.density {
             DensityForm::Continuity | DensityForm::Number => {
                 if self.scheme.density == DensityForm::Number {
@@ -142,8 +147,10 @@ impl<const D: usize> Rates<D> {
             return;
         }
         let term = VelocitySmoothing { strength };
+        self.walls.hide(particles, |_| true);
         self.pairs
             .sweep(&term, particles, |_| true, &mut self.vectors);
+        self.walls.show(particles);
         (particles.position.par_iter_mut(), &self.vectors)
             .into_par_iter()
             .with_min_len(ROWS_PER_TASK)
@@ -165,40 +172,62 @@ impl<const D: usize> Rates<D> {
 
     /// Acceleration at `time` seconds.
     pub(crate) fn accelerate(&mut self, particles: &mut Particles<D>, time: f64) {
+        let body_force = (self.scheme.body_force.as_ref())
+            .map_or(Vector::ZERO, |force| Vector::from_3d(force.at(time)));
+        self.walls.prepare(
+            &mut self.pairs,
+            particles,
+            &self.equations_of_state,
+            body_force,
+            time,
+        );
         let mut acceleration = std::mem::take(&mut particles.acceleration);
-        match self.one_mass {
-            Some(mass) => {
-                let material = OneFluid {
-                    mass,
-                    fluid: &self.fluids[0],
-                };
-                let term = momentum(&self.scheme, &self.fluids, material);
-                self.pairs
-                    .sweep(&term, particles, |_| true, &mut acceleration);
-            }
-            None => {
-                let term = momentum(&self.scheme, &self.fluids, Mixture(&self.fluids));
-                self.pairs
-                    .sweep(&term, particles, |_| true, &mut acceleration);
-            }
-        }
+        self.push(particles, &mut acceleration);
+        self.walls.bear(particles, &mut acceleration);
         if self.scheme.viscosity == ViscosityForm::Stress && is_viscous(&self.fluids) {
+            self.walls.hide(particles, |wall| wall.slip == Slip::FreeSlip);
             self.viscous_stress.accelerate(
                 &mut self.pairs,
                 particles,
                 &self.fluids,
                 &mut acceleration,
             );
+            self.walls.bear(particles, &mut acceleration);
+            self.walls.show(particles);
         }
-        self.pull_surface(particles, &mut acceleration);
-        if let Some(force) = &self.scheme.body_force {
-            let uniform = Vector::from_3d(force.at(time));
-            acceleration.iter_mut().for_each(|a| *a += uniform);
+        if self.scheme.surface_tension.is_some() {
+            self.walls.hide(particles, |_| true);
+            self.pull_surface(particles, &mut acceleration);
+            self.walls.show(particles);
         }
+        if self.scheme.body_force.is_some() {
+            acceleration.iter_mut().for_each(|a| *a += body_force);
+        }
+        self.walls.rest(&mut acceleration);
         for force in &mut self.forces {
             force.accelerate(&mut self.pairs, particles, &mut acceleration);
         }
+        self.walls.bear(particles, &mut acceleration);
+        self.walls
+            .finish(particles, &mut acceleration, self.scheme.damping);
         particles.acceleration = acceleration;
+    }
+
+    /// The acceleration by pressure and by the viscous forces of pairs, m/s^2.
+    fn push(&mut self, particles: &Particles<D>, acceleration: &mut Vec<Vector<f64, D>>) {
+        if !self.walls.is_empty() {
+            let walls = &self.walls;
+            let term = momentum(&self.scheme, &self.fluids, walls.material(&self.fluids));
+            let wet = |rows| walls.is_wet(particles, rows);
+            self.pairs.sweep(&term, particles, wet, acceleration);
+        } else if let Some(mass) = self.one_mass {
+            let fluid = &self.fluids[0];
+            let term = momentum(&self.scheme, &self.fluids, OneFluid { mass, fluid });
+            self.pairs.sweep(&term, particles, |_| true, acceleration);
+        } else {
+            let term = momentum(&self.scheme, &self.fluids, Mixture(&self.fluids));
+            self.pairs.sweep(&term, particles, |_| true, acceleration);
+        }
     }
 }
 

@@ -6,6 +6,7 @@ pub use crate::physics::body_force::BodyForce;
 pub use crate::physics::momentum::PressureForm;
 pub use crate::physics::surface_tension::SurfaceTension;
 pub use crate::physics::viscosity::ViscosityForm;
+pub use crate::physics::wall::{Motion, Slip, Wall};
 
 /// How density is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,6 +62,8 @@ pub struct Scheme {
     pub surface_tension: Option<SurfaceTension>,
     /// Rate k of a drag -k v that brings a flow to rest, 1/s; zero for none.
     pub damping: f64,
+    /// Walls: bodies that are not fluid. Their particles need no density, pressure or velocity.
+    pub walls: Vec<Wall>,
     /// Integrator.
     pub integrator: Integrator,
     /// Time step.
@@ -82,6 +85,7 @@ impl Scheme {
             velocity_smoothing: 0.0,
             surface_tension: None,
             damping: 0.0,
+            walls: Vec::new(),
             integrator: Integrator::Symplectic,
             time_step: TimeStep::Adaptive { safety: 1.0 },
         }

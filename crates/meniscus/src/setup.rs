@@ -115,6 +115,14 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
                 .into(),
         );
     }
+    for (index, wall) in scheme.walls.iter().enumerate() {
+        if !wall.motion.is_sound() {
+            return complain(format!("the motion of wall {index} must be of finite numbers"));
+        }
+        if scheme.walls[..index].iter().any(|other| other.body == wall.body) {
+            return complain(format!("body {} is a wall twice", wall.body));
+        }
+    }
     for (name, value) in positive {
         if !(value > 0.0 && value.is_finite()) {
             return complain(format!("{name} must be positive and finite, found {value}"));

@@ -105,6 +105,7 @@ impl<const D: usize> Simulation<D> {
         }
         simulation.rates.update_pressure(&mut simulation.particles);
         simulation.time = snapshot.time;
+        simulation.rates.walls.resume(snapshot.time);
         simulation.steps = snapshot.steps;
         simulation.choose_step();
         simulation.next_step = snapshot.next_step;

@@ -44,6 +44,20 @@ impl Tait {
         let ratio = density / self.reference_density;
         self.stiffness * (power(ratio, self.exponent) - 1.0) + self.background
     }
+
+    /// Density in kg/m^3 at `pressure` in Pa; at least half of rho_0, where a liquid would
+    /// long have torn.
+    ///
+    /// ```
+    /// use meniscus::physics::equation_of_state::Tait;
+    /// let water = Tait { reference_density: 1000.0, stiffness: 1000.0 * 25.0 / 7.0, exponent: 7.0, background: 2.0 };
+    /// assert!((water.density(water.pressure(1005.0)) / 1005.0 - 1.0).abs() < 1e-14);
+    /// assert_eq!(water.density(-1e9), 500.0);
+    /// ```
+    pub fn density(&self, pressure: f64) -> f64 {
+        let power = 1.0 + (pressure - self.background) / self.stiffness;
+        self.reference_density * power.max(0.0).powf(1.0 / self.exponent).max(0.5)
+    }
 }
 
 /// A power by multiplication where the exponent is a small whole number, as it nearly always is.

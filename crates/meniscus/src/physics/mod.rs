@@ -7,6 +7,7 @@
 //! - [`body_force`]: gravity and shaken frames
 //! - [`velocity_smoothing`]: XSPH
 //! - [`surface_tension`]: one file per model
+//! - [`wall`]: solid walls of dummy particles
 
 pub mod body_force;
 pub mod continuity;
@@ -17,3 +18,4 @@ pub mod surface_tension;
 pub mod velocity_smoothing;
 pub mod viscosity;
 pub mod viscous_stress;
+pub mod wall;

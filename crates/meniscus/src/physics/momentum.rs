@@ -40,18 +40,37 @@ record! {
     }
 }
 
+/// What acts between two particles: factors of 0 or 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Contact<R> {
+    /// On the pressure gradient.
+    pub pressure: R,
+    /// On artificial and laminar viscosity.
+    pub friction: R,
+}
+
 /// Where mass, sound speed and viscosity of a particle come from.
 pub trait Material: Copy + Sync {
+    /// Whether [`contact`](Self::contact) is ever other than 1.
+    const WALLS: bool = false;
     /// What is read of a particle.
     type Record<R: Real>: Record<R>;
-    /// The record of a particle of this mass (kg) and fluid.
-    fn record(&self, mass: f64, fluid: u16) -> Self::Record<f64>;
+    /// The record of a particle of this mass (kg), fluid and body.
+    fn record(&self, mass: f64, fluid: u16, body: u16) -> Self::Record<f64>;
     /// m, kg. `like` gives the width.
     fn mass<R: Real>(&self, record: &Self::Record<R>, like: R) -> R;
     /// c, m/s
     fn sound_speed<R: Real>(&self, record: &Self::Record<R>, like: R) -> R;
     /// mu, Pa s
     fn viscosity<R: Real>(&self, record: &Self::Record<R>, like: R) -> R;
+    /// What acts between two particles.
+    #[inline(always)]
+    fn contact<R: Real>(&self, _: &Self::Record<R>, _: &Self::Record<R>, like: R) -> Contact<R> {
+        Contact {
+            pressure: like.literal(1.0),
+            friction: like.literal(1.0),
+        }
+    }
 }
 
 /// One fluid, all particles of one mass: nothing is read.
@@ -66,7 +85,7 @@ pub struct OneFluid<'a> {
 impl Material for OneFluid<'_> {
     type Record<R: Real> = ();
 
-    fn record(&self, _: f64, _: u16) {}
+    fn record(&self, _: f64, _: u16, _: u16) {}
 
     #[inline(always)]
     fn mass<R: Real>(&self, (): &(), like: R) -> R {
@@ -101,7 +120,7 @@ record! {
 impl Material for Mixture<'_> {
     type Record<R: Real> = Substance<R, 0>;
 
-    fn record(&self, mass: f64, fluid: u16) -> Substance<f64, 0> {
+    fn record(&self, mass: f64, fluid: u16, _: u16) -> Substance<f64, 0> {
         let Fluid {
             sound_speed,
             viscosity,
@@ -160,7 +179,8 @@ impl<M: Material, const D: usize> PairTerm<D> for Momentum<M> {
         };
         (
             flowing,
-            self.material.record(particles.mass[i], particles.fluid[i]),
+            self.material
+                .record(particles.mass[i], particles.fluid[i], particles.body[i]),
         )
     }
 
@@ -191,7 +211,12 @@ impl<M: Material, const D: usize> PairTerm<D> for Momentum<M> {
             }
             None => {}
         }
-        let velocity_difference = i.velocity - j.velocity;
+        let mut velocity_difference = i.velocity - j.velocity;
+        if M::WALLS {
+            let contact = self.material.contact(i_material, j_material, like);
+            along_gradient = along_gradient * contact.pressure;
+            velocity_difference = velocity_difference * contact.friction;
+        }
         if self.artificial_viscosity != 0.0 {
             let h = self.smoothing_length;
             let sound_speeds = self.material.sound_speed(i_material, like)

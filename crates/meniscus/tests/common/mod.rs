@@ -34,6 +34,7 @@ pub fn scheme(spacing: f64) -> Scheme {
         velocity_smoothing: 0.0,
         surface_tension: None,
         damping: 0.0,
+        walls: Vec::new(),
         integrator: Integrator::Symplectic,
         time_step: TimeStep::Adaptive { safety: 1.0 },
     }

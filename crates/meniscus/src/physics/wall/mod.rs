@@ -1,0 +1,61 @@
+//! Solid walls of dummy particles, after Adami, Hu and Adams (2012), J. Comput. Phys. 231,
+//! 7057 ("A generalized wall boundary condition for smoothed particle hydrodynamics").
+//!
+//! A wall is the particles of one body, in layers as thick as the kernel's support. They take
+//! part in the sums of the fluid as its own particles do, and move as they are told. Before
+//! each force their pressure, density and velocity follow from the fluid near them
+//! ([`Extrapolation`]):
+//!
+//! - eq. 27  p_w = (sum_f p_f W_wf + (g - a_w) . sum_f rho_f x_wf W_wf) / sum_f W_wf
+//! - eq. 28  rho_w from p_w by the equation of state
+//! - eq. 22, 23  v = 2 v_w - sum_f v_f W_wf / sum_f W_wf, seen by viscous forces, no slip
+//!
+//! A wall with free slip takes no part in viscous forces. The equation of continuity sees the
+//! wall's own velocity v_w. Forces between two wall particles do not exist ([`Walled`]), those
+//! between fluid and wall act on both: m_w times the sum of a wall particle is the force
+//! that the fluid exerts on it.
+//!
+//! - `motion`: how a wall moves
+//! - `extrapolation`: the sums above
+//! - `walled`: the material of a flow with walls
+//! - `layout`: where wall particles lie
+
+mod extrapolation;
+pub mod layout;
+mod motion;
+mod walled;
+
+pub use extrapolation::{Extrapolation, Neighbourhood};
+pub use motion::{Motion, Moved};
+pub use walled::Walled;
+
+/// What a wall does to the flow along it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Slip {
+    /// The fluid at the wall moves with it.
+    NoSlip,
+    /// No friction.
+    FreeSlip,
+}
+
+/// A wall: all particles of one body, of the fluid that lies against them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wall {
+    /// Index of the body.
+    pub body: u16,
+    /// Friction.
+    pub slip: Slip,
+    /// How it moves.
+    pub motion: Motion,
+}
+
+impl Wall {
+    /// A body at rest, without slip.
+    pub fn new(body: u16) -> Self {
+        Self {
+            body,
+            slip: Slip::NoSlip,
+            motion: Motion::Rest,
+        }
+    }
+}

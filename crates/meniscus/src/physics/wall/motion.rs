@@ -1,0 +1,128 @@
+//! How a wall moves: its place, velocity and acceleration as functions of time.
+
+use std::f64::consts::TAU;
+
+use crate::shape::Rotation;
+use crate::vector::Vector;
+
+/// A prescribed rigid motion. In 2D third components are ignored, but for the angular
+/// velocity, of which only the third counts.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Motion {
+    /// It stays where it is.
+    Rest,
+    /// At a constant velocity.
+    Translation {
+        /// m/s
+        velocity: [f64; 3],
+    },
+    /// To and fro: x = x_0 + amplitude (sin(2 pi frequency t + phase) - sin(phase)).
+    Oscillation {
+        /// Amplitude, m.
+        amplitude: [f64; 3],
+        /// Frequency, Hz.
+        frequency: f64,
+        /// Phase at t = 0, rad.
+        phase: f64,
+    },
+    /// About an axis, at a constant angular velocity.
+    Rotation {
+        /// A point of the axis, m.
+        centre: [f64; 3],
+        /// rad/s, along the axis; anticlockwise.
+        angular_velocity: [f64; 3],
+    },
+}
+
+/// A point of a wall at some time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moved<const D: usize> {
+    /// m
+    pub position: Vector<f64, D>,
+    /// m/s
+    pub velocity: Vector<f64, D>,
+    /// m/s^2
+    pub acceleration: Vector<f64, D>,
+}
+
+impl Motion {
+    /// Where the point that starts at `start` (m) is at `time` (s), and how it moves.
+    ///
+    /// ```
+    /// use meniscus::Vector;
+    /// use meniscus::physics::wall::Motion;
+    ///
+    /// let motion = Motion::Rotation { centre: [1.0, 0.0, 0.0], angular_velocity: [0.0, 0.0, 2.0] };
+    /// let quarter = motion.at(Vector([3.0, 0.0]), std::f64::consts::FRAC_PI_4);
+    /// assert!((quarter.position - Vector([1.0, 2.0])).norm() < 1e-15);
+    /// assert!((quarter.velocity - Vector([-4.0, 0.0])).norm() < 1e-15);
+    /// assert!((quarter.acceleration - Vector([0.0, -8.0])).norm() < 1e-14);
+    /// ```
+    pub fn at<const D: usize>(&self, start: Vector<f64, D>, time: f64) -> Moved<D> {
+        let mut moved = Moved {
+            position: start,
+            velocity: Vector::ZERO,
+            acceleration: Vector::ZERO,
+        };
+        match *self {
+            Motion::Rest => {}
+            Motion::Translation { velocity } => {
+                moved.velocity = Vector::from_3d(velocity);
+                moved.position += moved.velocity * time;
+            }
+            Motion::Oscillation {
+                amplitude,
+                frequency,
+                phase,
+            } => {
+                let amplitude = Vector::from_3d(amplitude);
+                let omega = TAU * frequency;
+                let (sin, cos) = (omega * time + phase).sin_cos();
+                moved.position += amplitude * (sin - phase.sin());
+                moved.velocity = amplitude * (omega * cos);
+                moved.acceleration = amplitude * (-omega * omega * sin);
+            }
+            Motion::Rotation {
+                centre,
+                angular_velocity,
+            } => {
+                let omega = Vector(angular_velocity);
+                let centre = Vector::<f64, D>::from_3d(centre);
+                let rate = if D == 2 { omega[2].abs() } else { omega.norm() };
+                let turn = Rotation::<D>::about(omega, rate * time);
+                let arm = turn.apply(&(start - centre));
+                let across = |arm: Vector<f64, D>| {
+                    let (w, r) = (angular_velocity, arm.to_3d());
+                    let planar = if D == 2 { 0.0 } else { 1.0 };
+                    Vector::<f64, D>::from_3d([
+                        planar * w[1] * r[2] - w[2] * r[1],
+                        w[2] * r[0] - planar * w[0] * r[2],
+                        planar * (w[0] * r[1] - w[1] * r[0]),
+                    ])
+                };
+                moved.position = centre + arm;
+                moved.velocity = across(arm);
+                moved.acceleration = across(moved.velocity);
+            }
+        }
+        moved
+    }
+
+    /// Whether all its numbers are finite.
+    pub(crate) fn is_sound(&self) -> bool {
+        let finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
+        match self {
+            Motion::Rest => true,
+            Motion::Translation { velocity } => finite(velocity),
+            Motion::Oscillation {
+                amplitude,
+                frequency,
+                phase,
+            } => finite(amplitude) && finite(&[*frequency, *phase]),
+            Motion::Rotation {
+                centre,
+                angular_velocity,
+            } => finite(centre) && finite(angular_velocity),
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! The walls of a simulation on their way: where their particles are, what these take from
+//! the fluid before each force, and what the fluid exerts on them.
+
+use crate::fluid::Fluid;
+use crate::particles::Particles;
+use crate::pairs::{Domain, Pairs};
+use crate::physics::equation_of_state::Tait;
+use crate::physics::wall::{Extrapolation, Moved, Motion, Neighbourhood, Slip, Wall, Walled};
+use crate::simulation::Simulation;
+use crate::term::Sweep;
+use crate::vector::Vector;
+
+/// What the fluid exerts on one wall.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WallLoad {
+    /// Force, N; in 2D N/m, the third component zero.
+    pub force: [f64; 3],
+    /// Moment about the origin of coordinates, N m; in 2D N, the third component alone.
+    pub moment: [f64; 3],
+}
+
+/// The walls, and columns with an entry for each of their particles.
+#[derive(Debug, Default)]
+pub(crate) struct Walls<const D: usize> {
+    walls: Vec<Wall>,
+    /// Per body: which of the walls it is.
+    wall_of: Vec<Option<u16>>,
+    is_wall: Vec<bool>,
+    slip: Vec<f64>,
+    /// Places at t = 0, by number of the particle; none where nothing moves.
+    start: Vec<Vector<f64, D>>,
+    /// Rows of the wall particles, and how many lists had been built then.
+    rows: Vec<u32>,
+    built: Option<u64>,
+    mass: Vec<f64>,
+    sums: Vec<Neighbourhood<f64, D>>,
+    loads: Vec<WallLoad>,
+    /// Of the last force, s.
+    time: f64,
+    /// Of the step that is under way, s.
+    step: f64,
+}
+
+impl<const D: usize> Walls<D> {
+    /// Walls of particles at the start, in the order of their numbers.
+    pub(crate) fn new(walls: &[Wall], particles: &Particles<D>) -> Self {
+        let bodies = walls.iter().map(|wall| usize::from(wall.body) + 1).max();
+        let bodies = bodies.unwrap_or(0);
+        let mut new = Self {
+            walls: walls.to_vec(),
+            wall_of: vec![None; bodies],
+            is_wall: vec![false; bodies],
+            slip: vec![0.0; bodies],
+            loads: vec![WallLoad::default(); walls.len()],
+            ..Self::default()
+        };
+        for (wall, index) in walls.iter().zip(0..) {
+            let body = usize::from(wall.body);
+            new.wall_of[body] = Some(index);
+            new.is_wall[body] = true;
+            new.slip[body] = match wall.slip {
+                Slip::NoSlip => 1.0,
+                Slip::FreeSlip => 2.0,
+            };
+        }
+        if walls.iter().any(|wall| wall.motion != Motion::Rest) {
+            new.start.clone_from(&particles.position);
+        }
+        new
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.walls.is_empty()
+    }
+
+    /// The material of the flow.
+    pub(crate) fn material<'a>(&'a self, fluids: &'a [Fluid]) -> Walled<'a> {
+        Walled {
+            fluids,
+            slip: &self.slip,
+        }
+    }
+
+    /// Takes up a march that had come to `time`, s.
+    pub(crate) fn resume(&mut self, time: f64) {
+        self.time = time;
+    }
+
+    /// The wall that a row belongs to.
+    fn wall_of(&self, particles: &Particles<D>, row: usize) -> Option<usize> {
+        let wall = self.wall_of.get(usize::from(particles.body[row]));
+        wall.copied().flatten().map(usize::from)
+    }
+
+    /// Finds the rows again where particles were sorted anew.
+    fn find_rows(&mut self, particles: &Particles<D>, builds: u64) {
+        if self.built == Some(builds) {
+            return;
+        }
+        self.built = Some(builds);
+        let rows = (0..particles.len()).filter(|&row| self.wall_of(particles, row).is_some());
+        let rows: Vec<u32> = rows.map(|row| row as u32).collect();
+        self.mass.clear();
+        self.mass
+            .extend(rows.iter().map(|&row| particles.mass[row as usize]));
+        self.rows = rows;
+    }
+
+    /// The middle of a step of `dt` seconds.
+    pub(crate) fn go_halfway(&mut self, pairs: &Pairs<D>, particles: &mut Particles<D>, dt: f64) {
+        self.step = dt;
+        self.place(pairs, particles, self.time + 0.5 * dt);
+    }
+
+    /// Puts the particles where they are at `time`, s, with their velocities.
+    fn place(&mut self, pairs: &Pairs<D>, particles: &mut Particles<D>, time: f64) {
+        if self.is_empty() {
+            return;
+        }
+        self.find_rows(particles, pairs.builds());
+        if self.start.is_empty() {
+            return;
+        }
+        let domain = pairs.domain();
+        for &row in &self.rows {
+            let row = row as usize;
+            let Some(moved) = self.moved(particles, row, time) else {
+                continue;
+            };
+            let there = &mut particles.position[row];
+            *there = image_near(&domain, moved.position, *there);
+            particles.velocity[row] = moved.velocity;
+        }
+    }
+
+    /// How the particle of a row moves at `time`; none for a wall at rest.
+    fn moved(&self, particles: &Particles<D>, row: usize, time: f64) -> Option<Moved<D>> {
+        let wall = &self.walls[self.wall_of(particles, row)?];
+        if wall.motion == Motion::Rest {
+            return None;
+        }
+        let start = self.start[particles.id[row] as usize];
+        Some(wall.motion.at(start, time))
+    }
+
+    /// Before the forces at `time`, s, in a body force of `gravity`, m/s^2: places, pressure,
+    /// density, and the velocity that viscous forces see.
+    pub(crate) fn prepare(
+        &mut self,
+        pairs: &mut Pairs<D>,
+        particles: &mut Particles<D>,
+        equations_of_state: &[Tait],
+        gravity: Vector<f64, D>,
+        time: f64,
+    ) {
+        if self.is_empty() {
+            return;
+        }
+        self.time = time;
+        self.loads.fill(WallLoad::default());
+        self.place(pairs, particles, time);
+        let is_wall = &self.is_wall;
+        let near_wall = |rows: std::ops::Range<usize>| {
+            (particles.body[rows].iter())
+                .any(|&body| is_wall.get(usize::from(body)) == Some(&true))
+        };
+        pairs.sweep(&Extrapolation { is_wall }, particles, near_wall, &mut self.sums);
+        for &row in &self.rows {
+            let row = row as usize;
+            let sum = &self.sums[row];
+            let own = equations_of_state[usize::from(particles.fluid[row])];
+            let mut pressure = own.background;
+            if sum.weight > 0.0 {
+                let moved = self.moved(particles, row, time);
+                let pull = gravity - moved.map_or(Vector::ZERO, |moved| moved.acceleration);
+                pressure = (sum.pressure + pull.dot(&sum.head)) / sum.weight;
+                let nearby = sum.velocity * (1.0 / sum.weight);
+                let v = &mut particles.velocity[row];
+                *v = *v * 2.0 - nearby;
+            }
+            particles.pressure[row] = pressure;
+            particles.density[row] = own.density(pressure);
+        }
+    }
+
+    /// Whether any of these rows feels, or exerts, a force.
+    pub(crate) fn is_wet(&self, particles: &Particles<D>, mut rows: std::ops::Range<usize>) -> bool {
+        rows.any(|row| {
+            self.wall_of(particles, row).is_none() || self.sums[row].weight > 0.0
+        })
+    }
+
+    /// Makes walls that `which` holds for invisible to sums with the volume of neighbours.
+    pub(crate) fn hide(&self, particles: &mut Particles<D>, which: impl Fn(&Wall) -> bool) {
+        for &row in &self.rows {
+            let row = row as usize;
+            if (self.wall_of(particles, row)).is_some_and(|wall| which(&self.walls[wall])) {
+                particles.mass[row] = 0.0;
+            }
+        }
+    }
+
+    /// Undoes [`hide`](Self::hide).
+    pub(crate) fn show(&self, particles: &mut Particles<D>) {
+        for (&row, &mass) in self.rows.iter().zip(&self.mass) {
+            particles.mass[row as usize] = mass;
+        }
+    }
+
+    /// Takes what pairs exert on wall particles from their accelerations to the loads.
+    pub(crate) fn bear(&mut self, particles: &Particles<D>, acceleration: &mut [Vector<f64, D>]) {
+        for &row in &self.rows {
+            let row = row as usize;
+            let Some(wall) = self.wall_of(particles, row) else {
+                continue;
+            };
+            let a = std::mem::take(&mut acceleration[row]);
+            let force = (a * particles.mass[row]).to_3d();
+            let x = particles.position[row].to_3d();
+            let load = &mut self.loads[wall];
+            for d in 0..3 {
+                let (e, f) = ((d + 1) % 3, (d + 2) % 3);
+                load.force[d] += force[d];
+                load.moment[d] += x[e] * force[f] - x[f] * force[e];
+            }
+        }
+    }
+
+    /// Drops what has accelerated walls so far without being exerted on them.
+    pub(crate) fn rest(&self, acceleration: &mut [Vector<f64, D>]) {
+        for &row in &self.rows {
+            acceleration[row as usize] = Vector::ZERO;
+        }
+    }
+
+    /// After the forces: accelerations, and velocities with which the step's last kick, with
+    /// a drag of `damping` (1/s), ends at the wall's own.
+    pub(crate) fn finish(
+        &self,
+        particles: &mut Particles<D>,
+        acceleration: &mut [Vector<f64, D>],
+        damping: f64,
+    ) {
+        let recovery = (0.5 * damping * self.step).exp();
+        for &row in &self.rows {
+            let row = row as usize;
+            let (velocity, a) = self
+                .moved(particles, row, self.time)
+                .map_or((Vector::ZERO, Vector::ZERO), |moved| {
+                    (moved.velocity, moved.acceleration)
+                });
+            acceleration[row] = a;
+            particles.velocity[row] = (velocity - a * (0.5 * self.step)) * recovery;
+        }
+    }
+}
+
+/// The image of `point` that is nearest to `near` in a periodic box.
+fn image_near<const D: usize>(
+    domain: &Domain<D>,
+    mut point: Vector<f64, D>,
+    near: Vector<f64, D>,
+) -> Vector<f64, D> {
+    for d in 0..D {
+        if let Some((low, high)) = domain.periodic[d] {
+            let period = high - low;
+            point[d] += ((near[d] - point[d]) / period).round() * period;
+        }
+    }
+    point
+}
+
+impl<const D: usize> Simulation<D> {
+    /// What the fluid exerted on each wall in the last step, in the order of the scheme's
+    /// walls; zero before the first step of a restored simulation.
+    pub fn wall_loads(&self) -> &[WallLoad] {
+        &self.rates.walls.loads
+    }
+
+    /// Whether a body is a wall.
+    pub fn is_wall(&self, body: u16) -> bool {
+        self.rates.walls.is_wall.get(usize::from(body)) == Some(&true)
+    }
+}
