@@ -9,7 +9,7 @@ use std::hint::black_box;
 
 use meniscus::pairs::{Instructions, Pairs};
 use meniscus::physics::continuity::Continuity;
-use meniscus::physics::momentum::{Momentum, OneFluid, PressureForm};
+use meniscus::physics::momentum::{Momentum, OneFluid, OverDensitySquared};
 use meniscus::physics::surface_tension::gradient::{Gradient, Smoothed};
 use meniscus::rates::{Dimension, Space};
 use meniscus::term::Sweep;
@@ -127,11 +127,8 @@ where
     pairs.rebuild(&mut particles);
     let values: Vec<f64> = particles.velocity.iter().map(|v| v.0[0]).collect();
     let momentum = Momentum {
-        material: OneFluid {
-            mass: particles.mass[0],
-            fluid: &fluid,
-        },
-        pressure: Some(PressureForm::OverDensitySquared),
+        material: OneFluid::new(particles.mass[0], &fluid),
+        pressure: OverDensitySquared,
         artificial_viscosity: 0.1,
         viscosity: None,
         smoothing_length,

@@ -110,6 +110,13 @@ impl Real for Recorded {
     fn max(self, other: Self) -> Self {
         Recorded(node(Node::Unrated("max", self.0, other.0, other.0)))
     }
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        // Two operations, in one or two instructions.
+        self * factor + addend
+    }
+    fn tiny(self) -> Self {
+        self.literal(f64::MIN_POSITIVE)
+    }
     fn less(self, other: Self) -> Recorded {
         Recorded(node(Node::Unrated("less", self.0, other.0, other.0)))
     }

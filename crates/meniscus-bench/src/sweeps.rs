@@ -7,12 +7,11 @@ use std::time::Instant;
 use meniscus::kernel::WendlandC2;
 use meniscus::pairs::Pairs;
 use meniscus::physics::continuity::Continuity;
-use meniscus::physics::momentum::{Momentum, OneFluid};
+use meniscus::physics::momentum::{Momentum, OneFluid, OverDensitySquared};
 use meniscus::physics::surface_tension::curvature::{Curvature, Weighting};
 use meniscus::physics::surface_tension::gradient::{Gradient, Smoothed};
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::PressureForm;
 use meniscus::term::Sweep;
 use meniscus::{Domain, Kernel, PairTerm, Particles, Vector};
 use serde::Serialize;
@@ -113,11 +112,8 @@ where
 
     let liquid = fluid(Flow::Plain);
     let momentum = Momentum {
-        material: OneFluid {
-            mass: 1.0,
-            fluid: &liquid,
-        },
-        pressure: Some(PressureForm::OverDensitySquared),
+        material: OneFluid::new(1.0, &liquid),
+        pressure: OverDensitySquared,
         artificial_viscosity: ALPHA,
         viscosity: None,
         smoothing_length: h,

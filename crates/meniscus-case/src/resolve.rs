@@ -110,6 +110,7 @@ fn assemble(
             walls: Vec::new(),
             integrator: physics.integrator,
             time_step: physics.time_step,
+            precision: draft.precision,
         },
         fluids,
         bodies,

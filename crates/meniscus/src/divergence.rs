@@ -181,7 +181,8 @@ pub(crate) fn diagnose<const D: usize>(
     time: f64,
     i: usize,
 ) -> Culprit {
-    let whole = momentum(&rates.scheme, &rates.fluids, Mixture(&rates.fluids));
+    let (scheme, fluids) = (&rates.scheme, &rates.fluids[..]);
+    let whole = momentum(scheme, fluids, Mixture(fluids), Some(scheme.pressure));
     let none = Momentum {
         pressure: None,
         artificial_viscosity: 0.0,

@@ -75,7 +75,7 @@ pub mod walls;
 
 pub use fluid::Fluid;
 pub use kernel::Kernel;
-pub use pairs::Domain;
+pub use pairs::{Domain, Precision};
 pub use particles::{Particle, Particles};
 pub use physics::surface_tension::SurfaceTension;
 pub use real::Real;

@@ -8,7 +8,9 @@ use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::continuity::{Continuity, NumberContinuity};
 use crate::physics::equation_of_state::Tait;
-use crate::physics::momentum::{Mixture, Momentum, OneFluid};
+use crate::physics::momentum::{
+    Mixture, Momentum, OneFluid, OverDensityProduct, OverDensitySquared, PressureForm,
+};
 use crate::physics::summation::Summation;
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
@@ -185,7 +187,8 @@ impl<const D: usize> Rates<D> {
         self.push(particles, &mut acceleration);
         self.walls.bear(particles, &mut acceleration);
         if self.scheme.viscosity == ViscosityForm::Stress && is_viscous(&self.fluids) {
-            self.walls.hide(particles, |wall| wall.slip == Slip::FreeSlip);
+            self.walls
+                .hide(particles, |wall| wall.slip == Slip::FreeSlip);
             self.viscous_stress.accelerate(
                 &mut self.pairs,
                 particles,
@@ -215,18 +218,29 @@ impl<const D: usize> Rates<D> {
 
     /// The acceleration by pressure and by the viscous forces of pairs, m/s^2.
     fn push(&mut self, particles: &Particles<D>, acceleration: &mut Vec<Vector<f64, D>>) {
+        let (scheme, fluids, pairs) = (&self.scheme, &self.fluids[..], &mut self.pairs);
         if !self.walls.is_empty() {
             let walls = &self.walls;
-            let term = momentum(&self.scheme, &self.fluids, walls.material(&self.fluids));
+            let material = walls.material(fluids);
+            let term = momentum(scheme, fluids, material, Some(scheme.pressure));
             let wet = |rows| walls.is_wet(particles, rows);
-            self.pairs.sweep(&term, particles, wet, acceleration);
-        } else if let Some(mass) = self.one_mass {
-            let fluid = &self.fluids[0];
-            let term = momentum(&self.scheme, &self.fluids, OneFluid { mass, fluid });
-            self.pairs.sweep(&term, particles, |_| true, acceleration);
-        } else {
-            let term = momentum(&self.scheme, &self.fluids, Mixture(&self.fluids));
-            self.pairs.sweep(&term, particles, |_| true, acceleration);
+            return pairs.sweep(&term, particles, wet, acceleration);
+        }
+        let one = self.one_mass.map(|mass| OneFluid::new(mass, &fluids[0]));
+        // The common cases have code of their own.
+        match (one, scheme.pressure) {
+            (Some(material), PressureForm::OverDensitySquared) => {
+                let term = momentum(scheme, fluids, material, OverDensitySquared);
+                pairs.sweep(&term, particles, |_| true, acceleration);
+            }
+            (Some(material), PressureForm::OverDensityProduct) => {
+                let term = momentum(scheme, fluids, material, OverDensityProduct);
+                pairs.sweep(&term, particles, |_| true, acceleration);
+            }
+            (_, form) => {
+                let term = momentum(scheme, fluids, Mixture(fluids), Some(form));
+                pairs.sweep(&term, particles, |_| true, acceleration);
+            }
         }
     }
 }
@@ -302,11 +316,16 @@ fn is_viscous(fluids: &[Fluid]) -> bool {
 }
 
 /// The terms of the momentum equation that `scheme` has for `fluids`.
-pub(crate) fn momentum<M>(scheme: &Scheme, fluids: &[Fluid], material: M) -> Momentum<M> {
+pub(crate) fn momentum<M, P>(
+    scheme: &Scheme,
+    fluids: &[Fluid],
+    material: M,
+    pressure: P,
+) -> Momentum<M, P> {
     let by_pairs = is_viscous(fluids) && scheme.viscosity != ViscosityForm::Stress;
     Momentum {
         material,
-        pressure: Some(scheme.pressure),
+        pressure,
         artificial_viscosity: scheme.artificial_viscosity,
         viscosity: by_pairs.then_some(scheme.viscosity),
         smoothing_length: scheme.smoothing_length,

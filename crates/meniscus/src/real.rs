@@ -41,6 +41,18 @@ pub trait Real:
     /// `yes` where the mask holds, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
+    /// `self * factor + addend`, rounded once where the processor can.
+    ///
+    /// Formulas say so by name: the compiler may not fuse of itself, since
+    /// that changes bits.
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
+    }
+
+    /// The least normal number: keeps a zero out of a denominator.
+    fn tiny(self) -> Self;
+
     /// Zero in the width of `self`.
     #[inline(always)]
     fn zero(self) -> Self {
@@ -130,6 +142,10 @@ impl Real for f64 {
     #[inline(always)]
     fn less(self, other: f64) -> bool {
         self < other
+    }
+    #[inline(always)]
+    fn tiny(self) -> f64 {
+        f64::MIN_POSITIVE
     }
     #[inline(always)]
     fn select(mask: bool, yes: f64, no: f64) -> f64 {

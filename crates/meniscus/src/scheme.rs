@@ -2,6 +2,7 @@
 
 pub use crate::fluid::Fluid;
 use crate::kernel::Kernel;
+use crate::pairs::Precision;
 pub use crate::physics::body_force::BodyForce;
 pub use crate::physics::momentum::PressureForm;
 pub use crate::physics::surface_tension::SurfaceTension;
@@ -68,6 +69,8 @@ pub struct Scheme {
     pub integrator: Integrator,
     /// Time step.
     pub time_step: TimeStep,
+    /// In what numbers the pairs are worked out.
+    pub precision: Precision,
 }
 
 impl Scheme {
@@ -88,6 +91,7 @@ impl Scheme {
             walls: Vec::new(),
             integrator: Integrator::Symplectic,
             time_step: TimeStep::Adaptive { safety: 1.0 },
+            precision: Precision::Double,
         }
     }
 }

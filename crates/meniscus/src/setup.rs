@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::fluid::Fluid;
-use crate::pairs::Domain;
+use crate::pairs::{Domain, Precision};
 use crate::particles::Particle;
 use crate::physics::body_force::BodyForce;
 use crate::physics::surface_tension::SurfaceTension;
@@ -40,6 +40,11 @@ impl fmt::Display for SetupError {
 
 impl std::error::Error for SetupError {}
 
+/// Spacings, m, at which the square of a volume and the second slope of a
+/// kernel are f32, in 3D as in 2D.
+const LEAST: f64 = 1e-6;
+const LARGEST: f64 = 1e6;
+
 pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError> {
     let complain = |what: String| Err(SetupError(what));
     if setup.fluids.is_empty() {
@@ -69,6 +74,12 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
             ));
         }
         TimeStep::Adaptive { safety } => positive.push(("safety factor of the time step", safety)),
+    }
+    if scheme.precision == Precision::Mixed && !(LEAST..=LARGEST).contains(&setup.spacing) {
+        return complain(format!(
+            "mixed precision takes spacings from {LEAST:e} to {LARGEST:e} m, found {:e}: use double",
+            setup.spacing
+        ));
     }
     for fluid in &setup.fluids {
         positive.push(("density of a fluid", fluid.density));
@@ -117,9 +128,14 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
     }
     for (index, wall) in scheme.walls.iter().enumerate() {
         if !wall.motion.is_sound() {
-            return complain(format!("the motion of wall {index} must be of finite numbers"));
+            return complain(format!(
+                "the motion of wall {index} must be of finite numbers"
+            ));
         }
-        if scheme.walls[..index].iter().any(|other| other.body == wall.body) {
+        if scheme.walls[..index]
+            .iter()
+            .any(|other| other.body == wall.body)
+        {
             return complain(format!("body {} is a wall twice", wall.body));
         }
     }

@@ -22,7 +22,7 @@ const LEAST_SKIN: f64 = 0.02;
 const LARGEST_SKIN: f64 = 0.5;
 
 /// Cost of new lists over that of one step's sweeps, as measured in 2D and 3D.
-const COST_OF_LISTS: f64 = 0.3;
+const COST_OF_LISTS: f64 = 1.0;
 
 /// An adaptive step shorter than this part of h / c counts as collapsed.
 const COLLAPSED: f64 = 1e-4;
@@ -88,13 +88,14 @@ impl<const D: usize> Simulation<D> {
         for i in 0..particles.len() {
             particles.density[i] = fluids[particles.fluid[i] as usize].density;
         }
-        let pairs = Pairs::new(
+        let mut pairs = Pairs::new(
             scheme.kernel,
             scheme.smoothing_length,
             spacing,
             SKIN * spacing,
             domain,
         );
+        pairs.set_precision(scheme.precision);
         let support = scheme.kernel.support() * scheme.smoothing_length;
         let limits = StepLimits::new(&fluids, scheme.smoothing_length, support, 0.0, 0.0);
         Ok(Self {

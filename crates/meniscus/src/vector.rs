@@ -40,7 +40,7 @@ impl<R: Real, const D: usize> Vector<R, D> {
     pub fn dot(&self, other: &Self) -> R {
         let mut sum = self.0[0] * other.0[0];
         for d in 1..D {
-            sum = sum + self.0[d] * other.0[d];
+            sum = self.0[d].mul_add(other.0[d], sum);
         }
         sum
     }
@@ -49,6 +49,12 @@ impl<R: Real, const D: usize> Vector<R, D> {
     #[inline(always)]
     pub fn norm_squared(&self) -> R {
         self.dot(self)
+    }
+
+    /// `self + other * factor`.
+    #[inline(always)]
+    pub fn add_scaled(self, other: Self, factor: R) -> Self {
+        self.zip(other, |a, b| b.mul_add(factor, a))
     }
 
     #[inline(always)]

@@ -2,10 +2,10 @@
 //! the fluid before each force, and what the fluid exerts on them.
 
 use crate::fluid::Fluid;
-use crate::particles::Particles;
 use crate::pairs::{Domain, Pairs};
+use crate::particles::Particles;
 use crate::physics::equation_of_state::Tait;
-use crate::physics::wall::{Extrapolation, Moved, Motion, Neighbourhood, Slip, Wall, Walled};
+use crate::physics::wall::{Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled};
 use crate::simulation::Simulation;
 use crate::term::Sweep;
 use crate::vector::Vector;
@@ -161,10 +161,14 @@ impl<const D: usize> Walls<D> {
         self.place(pairs, particles, time);
         let is_wall = &self.is_wall;
         let near_wall = |rows: std::ops::Range<usize>| {
-            (particles.body[rows].iter())
-                .any(|&body| is_wall.get(usize::from(body)) == Some(&true))
+            (particles.body[rows].iter()).any(|&body| is_wall.get(usize::from(body)) == Some(&true))
         };
-        pairs.sweep(&Extrapolation { is_wall }, particles, near_wall, &mut self.sums);
+        pairs.sweep(
+            &Extrapolation { is_wall },
+            particles,
+            near_wall,
+            &mut self.sums,
+        );
         for &row in &self.rows {
             let row = row as usize;
             let sum = &self.sums[row];
@@ -184,10 +188,12 @@ impl<const D: usize> Walls<D> {
     }
 
     /// Whether any of these rows feels, or exerts, a force.
-    pub(crate) fn is_wet(&self, particles: &Particles<D>, mut rows: std::ops::Range<usize>) -> bool {
-        rows.any(|row| {
-            self.wall_of(particles, row).is_none() || self.sums[row].weight > 0.0
-        })
+    pub(crate) fn is_wet(
+        &self,
+        particles: &Particles<D>,
+        mut rows: std::ops::Range<usize>,
+    ) -> bool {
+        rows.any(|row| self.wall_of(particles, row).is_none() || self.sums[row].weight > 0.0)
     }
 
     /// Makes walls that `which` holds for invisible to sums with the volume of neighbours.

@@ -1,6 +1,6 @@
 //! The top of the file.
 
-use meniscus::Kernel;
+use meniscus::{Kernel, Precision};
 
 use super::body::{DraftBody, bodies};
 use super::fluid::{DraftFluid, fluid};
@@ -18,6 +18,7 @@ pub(crate) struct Draft {
     pub end_time: f64,
     pub kernel: Kernel,
     pub smoothing_length: f64,
+    pub precision: Precision,
     pub periodic: [Option<(f64, f64)>; 3],
     pub fluids: Vec<DraftFluid>,
     pub bodies: Vec<DraftBody>,
@@ -62,6 +63,12 @@ pub(crate) fn document(node: &mut Node<'_>) -> Draft {
         let smoothing_length = fields.or("smoothing_length", "'2 dx'", about, |node| {
             smoothing_length(node, spacing)
         });
+        let about = "In what numbers pairs are worked out: f64 ('double'), or differences of \
+                     places exactly and formulas in f32 ('mixed').";
+        let precision = fields.or("precision", "'double'", about, |node| {
+            let names = [("double", Precision::Double), ("mixed", Precision::Mixed)];
+            node.name_of("precision", &names)
+        });
         let periodic = periodic(fields);
         let about = "The liquids, each in a section of its own, such as [fluid.water].";
         let fluids = fields.required("fluid", about, |node| node.named(fluid));
@@ -81,6 +88,7 @@ pub(crate) fn document(node: &mut Node<'_>) -> Draft {
             end_time,
             kernel,
             smoothing_length,
+            precision,
             periodic,
             fluids,
             bodies,

@@ -25,13 +25,14 @@ impl SmoothingKernel for WendlandC2 {
 
     #[inline(always)]
     fn shape<R: Real>(q: R) -> R {
-        let s = (q * -0.5 + 1.0).positive();
-        s.square().square() * (q * 2.0 + 1.0)
+        let one = q.literal(1.0);
+        let s = q.mul_add(q.literal(-0.5), one).positive();
+        s.square().square() * q.mul_add(q.literal(2.0), one)
     }
 
     #[inline(always)]
     fn slope_over_q<R: Real>(q: R) -> R {
-        let s = (q * -0.5 + 1.0).positive();
+        let s = q.mul_add(q.literal(-0.5), q.literal(1.0)).positive();
         s.square() * s * -5.0
     }
 }

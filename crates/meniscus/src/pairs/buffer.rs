@@ -1,26 +1,26 @@
-//! A reusable buffer of reals that begins on a cache line, so that records
+//! A reusable buffer of numbers that begins on a cache line, so that records
 //! of 32 or 64 bytes never straddle two.
 
 const LINE: usize = 64;
 
-/// Reals on a cache line, kept between uses.
+/// Numbers on a cache line, kept between uses.
 #[derive(Debug, Default)]
-pub(crate) struct LineBuffer {
-    reals: Vec<f64>,
+pub(crate) struct LineBuffer<P> {
+    numbers: Vec<P>,
 }
 
-impl LineBuffer {
-    /// `length` reals of any value, aligned to a cache line.
-    pub(crate) fn take(&mut self, length: usize) -> &mut [f64] {
-        let spare = LINE / size_of::<f64>();
-        if self.reals.len() < length + spare {
-            self.reals.resize(length + spare, 0.0);
+impl<P: Copy + Default> LineBuffer<P> {
+    /// `length` numbers of any value, aligned to a cache line.
+    pub(crate) fn take(&mut self, length: usize) -> &mut [P] {
+        let spare = LINE / size_of::<P>();
+        if self.numbers.len() < length + spare {
+            self.numbers.resize(length + spare, P::default());
         }
-        let offset = self.reals.as_ptr().align_offset(LINE).min(spare);
-        &mut self.reals[offset..offset + length]
+        let offset = self.numbers.as_ptr().align_offset(LINE).min(spare);
+        &mut self.numbers[offset..offset + length]
     }
 
     pub(crate) fn bytes(&self) -> usize {
-        self.reals.capacity() * size_of::<f64>()
+        self.numbers.capacity() * size_of::<P>()
     }
 }

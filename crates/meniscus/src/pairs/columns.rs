@@ -14,6 +14,9 @@ const SMALL_CELL: usize = 32;
 /// Cells are sorted in parallel where there are at least this many points.
 const POINTS_PER_TASK: usize = 4096;
 
+/// Zeros behind the last entry of a chunk's lists, so that a sweep may look ahead.
+pub(crate) const PADDING: usize = 80;
+
 /// A sorted set of points and where each cell of it begins.
 #[derive(Debug)]
 pub(crate) struct Columns<const D: usize> {
@@ -42,6 +45,20 @@ pub(crate) struct Entries {
 }
 
 impl Entries {
+    /// Puts [`PADDING`] zeros behind the last entry.
+    pub(crate) fn pad(&mut self) {
+        let end = self.length + PADDING;
+        if self.slots.len() < end {
+            self.slots.resize(end, 0);
+        }
+        self.slots[self.length..end].fill(0);
+    }
+
+    /// All entries, and [`PADDING`] zeros.
+    pub(crate) fn padded(&self) -> &[u32] {
+        &self.slots[..self.length + PADDING]
+    }
+
     pub(crate) fn as_slice(&self) -> &[u32] {
         &self.slots[..self.length]
     }
@@ -54,21 +71,38 @@ impl Entries {
         self.slots.capacity() * size_of::<u32>()
     }
 
-    /// Appends `first + lane` for each lane that holds, without a branch.
+    /// Appends `first + lane` for each lane whose bit is set, without a branch.
     #[inline(always)]
-    fn append(&mut self, first: u32, holds: [bool; WIDTH]) {
+    fn append(&mut self, first: u32, lanes: u8) {
         if self.slots.len() < self.length + WIDTH {
             self.slots.resize(self.slots.len() * 3 / 2 + 64, 0);
         }
         let slots = &mut self.slots[self.length..][..WIDTH];
-        let mut kept = 0;
-        for (lane, holds) in holds.into_iter().enumerate() {
-            slots[kept & (WIDTH - 1)] = first + lane as u32;
-            kept += usize::from(holds);
+        for (slot, lane) in slots.iter_mut().zip(LANES[lanes as usize]) {
+            *slot = first + u32::from(lane);
         }
-        self.length += kept;
+        self.length += lanes.count_ones() as usize;
     }
 }
+
+/// For each set of lanes, given by its bits, those lanes in order; then zeros.
+static LANES: [[u8; WIDTH]; 256] = {
+    let mut table = [[0; WIDTH]; 256];
+    let mut set = 0;
+    while set < 256 {
+        let mut kept = 0;
+        let mut lane = 0;
+        while lane < WIDTH {
+            if set >> lane & 1 == 1 {
+                table[set][kept] = lane as u8;
+                kept += 1;
+            }
+            lane += 1;
+        }
+        set += 1;
+    }
+    table
+};
 
 impl<const D: usize> Columns<D> {
     pub(crate) fn new(preferred_width: f64) -> Self {
@@ -138,6 +172,20 @@ impl<const D: usize> Columns<D> {
         self.column[row]
     }
 
+    /// Coordinate `d` of a sorted row.
+    #[inline(always)]
+    pub(crate) fn coordinate(&self, row: usize, d: usize) -> f64 {
+        self.coordinates[d][row]
+    }
+
+    /// Coordinate `d` of up to eight sorted rows, the last one repeated.
+    #[inline(always)]
+    pub(crate) fn lane<S: Simd>(&self, simd: S, rows: std::ops::Range<usize>, d: usize) -> Lane<S> {
+        let values =
+            std::array::from_fn(|lane| self.coordinates[d][(rows.start + lane).min(rows.end - 1)]);
+        Lane::load(simd, values)
+    }
+
     /// Number of points.
     pub(crate) fn len(&self) -> usize {
         self.order.len()
@@ -204,10 +252,9 @@ impl<const D: usize> Columns<D> {
                         let gap = (-(x - low[d])).max(x - high[d]).positive();
                         square = square + gap * gap;
                     }
-                    let square = square.to_array();
-                    let left = rows.end - row;
-                    let holds = std::array::from_fn(|k| (square[k] <= reach_squared) & (k < left));
-                    entries.append(offset + row as u32, holds);
+                    let there = u8::MAX >> WIDTH.saturating_sub(rows.end - row);
+                    let near = square.not_above(Lane::splat(simd, reach_squared));
+                    entries.append(offset + row as u32, near & there);
                     row += WIDTH;
                 }
             }

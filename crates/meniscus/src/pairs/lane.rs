@@ -5,7 +5,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x8, mask64x8};
+use fearless_simd::{Select, Simd, SimdBase, SimdFloat, SimdMask, f64x8, mask64x8};
 
 use crate::real::Real;
 
@@ -31,6 +31,12 @@ impl<S: Simd> Lane<S> {
     #[inline(always)]
     pub(crate) fn load_slice(simd: S, values: &[f64]) -> Self {
         Lane(f64x8::from_slice(simd, &values[..WIDTH]))
+    }
+
+    /// Bits of the lanes that are at most those of `other`.
+    #[inline(always)]
+    pub(crate) fn not_above(self, other: Self) -> u8 {
+        self.0.simd_le(other.0).to_bitmask() as u8
     }
 
     #[inline(always)]
@@ -96,8 +102,16 @@ impl<S: Simd> Real for Lane<S> {
         Lane(self.0.max(other.0))
     }
     #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        Lane(self.0.mul_add(factor.0, addend.0))
+    }
+    #[inline(always)]
     fn less(self, other: Self) -> Self::Mask {
         self.0.simd_lt(other.0)
+    }
+    #[inline(always)]
+    fn tiny(self) -> Self {
+        self.literal(f64::MIN_POSITIVE)
     }
     #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {

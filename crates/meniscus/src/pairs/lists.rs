@@ -1,49 +1,83 @@
 //! Which particles are near which cluster.
 //!
-//! A cluster is eight consecutive rows. Its list holds every row, and every
-//! periodic image (numbered after the rows), within reach of the box around
-//! the cluster. A cluster that runs over the end of a column has one box for
-//! each part, so that a jump along the snake's way costs nothing.
+//! A cluster is up to eight consecutive rows. Its list holds every
+//! row, and every periodic image (numbered after the rows), within reach of
+//! any of its particles. Candidates come from the columns, by the box around
+//! the cluster; a cluster that runs over the end of a column has one box for
+//! each part. A cluster ends early where the next row lies far away.
+
+use std::ops::Range;
 
 use fearless_simd::{Level, Simd};
 use rayon::prelude::*;
 
 use super::columns::{Columns, Entries};
-use super::lane::WIDTH;
+use super::lane::{Lane, WIDTH};
 use super::level::{WithSimd, with_simd};
+use crate::real::Real;
 
-/// Clusters that one task works on.
-pub(crate) const CLUSTERS_PER_CHUNK: usize = 16;
+/// Rows that one task works on: a whole number of clusters.
+pub(crate) const ROWS_PER_CHUNK: usize = 128;
 
-/// Lists of consecutive clusters.
+/// Rows of a cluster lie no farther apart along any axis than so many times
+/// the reach of the lists, to either side of the first: well within what
+/// mixed precision allows.
+const SPREAD: f64 = 4.0;
+
+/// A cluster of consecutive rows and its list, within a chunk.
+#[derive(Clone, Copy, Debug)]
+struct Cluster {
+    /// End of its rows.
+    rows: u32,
+    /// End of its list in the chunk's entries.
+    list: u32,
+}
+
+/// Lists of the clusters of [`ROWS_PER_CHUNK`] rows.
 #[derive(Debug, Default)]
 pub(crate) struct Chunk {
-    /// End of each cluster's list in `entries`.
-    ends: Vec<u32>,
+    clusters: Vec<Cluster>,
     entries: Entries,
+    /// One more than the largest entry.
+    bound: usize,
 }
 
 impl Chunk {
-    /// The list of each cluster, in order.
+    /// The rows of each cluster, counted from the chunk's first row, and where in
+    /// [`entries`](Self::entries) its list is.
     #[inline(always)]
-    pub(crate) fn lists(&self) -> impl Iterator<Item = &[u32]> {
-        let entries = self.entries.as_slice();
-        (0..self.ends.len()).map(move |k| {
-            let start = if k == 0 { 0 } else { self.ends[k - 1] as usize };
-            &entries[start..self.ends[k] as usize]
+    pub(crate) fn clusters(&self) -> impl Iterator<Item = (Range<usize>, Range<usize>)> {
+        let mut row = 0;
+        let mut entry = 0;
+        self.clusters.iter().map(move |cluster| {
+            let (rows, list) = (row..cluster.rows as usize, entry..cluster.list as usize);
+            (row, entry) = (rows.end, list.end);
+            (rows, list)
         })
     }
 
-    pub(crate) fn entries(&self) -> usize {
-        self.entries.length
+    /// Lists one after the other.
+    pub(crate) fn entries(&self) -> &Entries {
+        &self.entries
+    }
+
+    /// One more than the largest entry.
+    pub(crate) fn bound(&self) -> usize {
+        self.bound
+    }
+
+    /// Number of clusters.
+    pub(crate) fn len(&self) -> usize {
+        self.clusters.len()
     }
 
     pub(crate) fn bytes(&self) -> usize {
-        size_of::<u32>() * self.ends.capacity() + self.entries.bytes()
+        size_of::<Cluster>() * self.clusters.capacity() + self.entries.bytes()
     }
 }
 
-/// Builds the lists of all clusters of `real`; image `k` is entry `real.len() + k`.
+/// Builds the lists of all clusters of `real`; image `k`
+/// is entry `real.len() + k`.
 pub(crate) fn build<const D: usize>(
     level: Level,
     chunks: &mut Vec<Chunk>,
@@ -51,63 +85,135 @@ pub(crate) fn build<const D: usize>(
     images: &Columns<D>,
     reach: f64,
 ) {
-    let clusters = real.len().div_ceil(WIDTH);
-    chunks.resize_with(clusters.div_ceil(CLUSTERS_PER_CHUNK), Chunk::default);
+    let rows = real.len();
+    chunks.resize_with(rows.div_ceil(ROWS_PER_CHUNK), Chunk::default);
     chunks.par_iter_mut().enumerate().for_each(|(c, chunk)| {
-        let first = c * CLUSTERS_PER_CHUNK;
-        let clusters = first..clusters.min(first + CLUSTERS_PER_CHUNK);
-        with_simd(
-            level,
-            BuildChunk {
-                chunk,
-                clusters,
+        let first = c * ROWS_PER_CHUNK;
+        let rows = first..rows.min(first + ROWS_PER_CHUNK);
+        let task = BuildChunk {
+            chunk,
+            rows,
+            near: Near {
                 real,
                 images,
                 reach,
             },
-        );
+        };
+        with_simd(level, task);
     });
 }
 
 struct BuildChunk<'a, const D: usize> {
     chunk: &'a mut Chunk,
-    clusters: std::ops::Range<usize>,
-    real: &'a Columns<D>,
-    images: &'a Columns<D>,
-    reach: f64,
+    rows: Range<usize>,
+    near: Near<'a, D>,
 }
 
 impl<const D: usize> WithSimd for BuildChunk<'_, D> {
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) {
-        let Chunk { ends, entries } = self.chunk;
-        ends.clear();
+        let Chunk {
+            clusters,
+            entries,
+            bound,
+        } = self.chunk;
+        clusters.clear();
         entries.length = 0;
-        let rows = self.real.len();
-        for cluster in self.clusters {
-            let begin = entries.length;
-            let end = rows.min((cluster + 1) * WIDTH);
-            let mut start = cluster * WIDTH;
-            let mut parts = 0;
-            while start < end {
-                let column = self.real.column(start);
-                let part = (start + 1..end)
-                    .find(|&k| self.real.column(k) != column)
-                    .unwrap_or(end);
-                let bounds = self.real.bounds_of(start..part);
-                self.real.append_near(simd, &bounds, self.reach, 0, entries);
-                self.images
-                    .append_near(simd, &bounds, self.reach, rows as u32, entries);
-                start = part;
-                parts += 1;
-            }
-            if parts > 1 {
-                entries.length = begin + sort_and_merge(&mut entries.as_mut_slice()[begin..]);
-            }
-            ends.push(entries.length as u32);
+        let mut start = self.rows.start;
+        while start < self.rows.end {
+            let most = self.rows.end.min(start + WIDTH);
+            let end = self.near.cluster_from(start, most);
+            self.near.list(simd, start..end, entries);
+            clusters.push(Cluster {
+                rows: (end - self.rows.start) as u32,
+                list: entries.length as u32,
+            });
+            start = end;
         }
+        entries.pad();
+        *bound = entries
+            .as_slice()
+            .iter()
+            .max()
+            .map_or(0, |&j| j as usize + 1);
     }
 }
+
+/// Where the neighbours are sought.
+#[derive(Clone, Copy)]
+struct Near<'a, const D: usize> {
+    real: &'a Columns<D>,
+    images: &'a Columns<D>,
+    reach: f64,
+}
+
+impl<const D: usize> Near<'_, D> {
+    /// End of the cluster that begins with row `start`, at most `most`.
+    #[inline(always)]
+    fn cluster_from(&self, start: usize, most: usize) -> usize {
+        let spread = SPREAD * self.reach;
+        let far = |row: usize| {
+            (0..D).any(|d| {
+                let offset = self.real.coordinate(row, d) - self.real.coordinate(start, d);
+                offset.abs() > spread
+            })
+        };
+        (start + 1..most).find(|&row| far(row)).unwrap_or(most)
+    }
+
+    /// Appends the list of the cluster `rows`.
+    #[inline(always)]
+    fn list<S: Simd>(&self, simd: S, rows: Range<usize>, entries: &mut Entries) {
+        let begin = entries.length;
+        let mut start = rows.start;
+        let mut parts = 0;
+        while start < rows.end {
+            let column = self.real.column(start);
+            let part = (start + 1..rows.end)
+                .find(|&k| self.real.column(k) != column)
+                .unwrap_or(rows.end);
+            let bounds = self.real.bounds_of(start..part);
+            (self.real).append_near(simd, &bounds, self.reach, 0, entries);
+            let images = self.real.len() as u32;
+            (self.images).append_near(simd, &bounds, self.reach, images, entries);
+            start = part;
+            parts += 1;
+        }
+        let mut list = &mut entries.as_mut_slice()[begin..];
+        if parts > 1 {
+            let length = sort_and_merge(list);
+            list = &mut list[..length];
+        }
+        entries.length = begin + self.near_any(simd, rows, list);
+    }
+
+    /// Keeps the entries of `list` within reach of any of `rows`; gives how many.
+    #[inline(always)]
+    fn near_any<S: Simd>(&self, simd: S, rows: Range<usize>, list: &mut [u32]) -> usize {
+        let own: [Lane<S>; D] = std::array::from_fn(|d| self.real.lane(simd, rows.clone(), d));
+        let reach_squared = Lane::splat(simd, self.reach * self.reach);
+        let count = self.real.len();
+        let mut kept = 0;
+        for k in 0..list.len() {
+            let entry = list[k] as usize;
+            let (columns, row) = if entry < count {
+                (self.real, entry)
+            } else {
+                (self.images, entry - count)
+            };
+            let mut square = Lane::splat(simd, 0.0);
+            for (d, own) in own.iter().enumerate() {
+                let offset = *own - columns.coordinate(row, d);
+                square = offset.mul_add(offset, square);
+            }
+            list[kept] = entry as u32;
+            kept += usize::from(square.not_above(reach_squared) != 0);
+        }
+        kept
+    }
+}
+
+const _: () = assert!(ROWS_PER_CHUNK.is_multiple_of(WIDTH));
 
 /// Sorts a list and drops what stands in it twice; gives the length left.
 fn sort_and_merge(list: &mut [u32]) -> usize {

@@ -4,26 +4,37 @@
 //! - `columns`: particles sorted along a snake of columns
 //! - `lists`: clusters of eight and what is near them
 //! - `images`: periodic images
-//! - `lane`: eight particles as one [`Real`](crate::Real)
+//! - `lane`: eight particles as one [`Real`](crate::Real), `narrow_lane`: the same in f32
+//! - `arithmetic`: f64, or mixed precision
+//! - `records`: what a sweep reads, packed
 //! - `level`: work compiled for each instruction set
 //! - `sweep`: a term summed over the lists
 //! - `buffer`: aligned scratch memory
 
+mod arithmetic;
 mod buffer;
 mod columns;
 mod images;
 mod lane;
 mod level;
 mod lists;
+mod narrow_lane;
+mod records;
 mod sweep;
 
+pub use arithmetic::Precision;
 pub use images::Domain;
 
+use std::ops::Range;
+
+use arithmetic::{Arithmetic, Double, Mixed};
+use buffer::LineBuffer;
 use columns::Columns;
 use fearless_simd::Level;
 use images::Image;
 use lists::Chunk;
 use rayon::prelude::*;
+use records::stride;
 
 use crate::kernel::{Kernel, WendlandC2};
 use crate::particles::{Particles, Scratch};
@@ -49,6 +60,7 @@ pub struct Pairs<const D: usize> {
     domain: Domain<D>,
     support: f64,
     skin: f64,
+    precision: Precision,
     level: Level,
     columns: Columns<D>,
     image_columns: Columns<D>,
@@ -58,7 +70,7 @@ pub struct Pairs<const D: usize> {
     chunks: Vec<Chunk>,
     /// Positions when the lists were built.
     reference: Vec<Vector<f64, D>>,
-    records: buffer::LineBuffer,
+    records: Buffers,
     scratch: Scratch<D>,
     builds: u64,
 }
@@ -81,6 +93,7 @@ impl<const D: usize> Pairs<D> {
             domain,
             support: kernel.support() * smoothing_length,
             skin,
+            precision: Precision::Double,
             level: Level::new(),
             columns: Columns::new(width),
             image_columns: Columns::new(width),
@@ -89,7 +102,7 @@ impl<const D: usize> Pairs<D> {
             image_points: Vec::new(),
             chunks: Vec::new(),
             reference: Vec::new(),
-            records: buffer::LineBuffer::default(),
+            records: Buffers::default(),
             scratch: Scratch::default(),
             builds: 0,
         }
@@ -99,6 +112,7 @@ impl<const D: usize> Pairs<D> {
     pub(crate) fn sibling(&self, smoothing_length: f64, spacing: f64, domain: Domain<D>) -> Self {
         Self {
             level: self.level,
+            precision: self.precision,
             ..Self::new(self.kernel, smoothing_length, spacing, 0.0, domain)
         }
     }
@@ -120,6 +134,16 @@ impl<const D: usize> Pairs<D> {
             Instructions::Avx2 => Level::new(),
             Instructions::Portable => Level::baseline(),
         };
+    }
+
+    /// Sets in what numbers the pairs are worked out.
+    pub fn set_precision(&mut self, precision: Precision) {
+        self.precision = precision;
+    }
+
+    /// In what numbers the pairs are worked out.
+    pub fn precision(&self) -> Precision {
+        self.precision
     }
 
     /// Sorts the particles and builds the lists anew.
@@ -196,17 +220,27 @@ impl<const D: usize> Pairs<D> {
         self.builds
     }
 
-    /// Mean number of list entries per cluster; each costs one pair formula for eight lanes.
+    /// Particles in a full cluster.
+    pub fn cluster_width(&self) -> usize {
+        lane::WIDTH
+    }
+
+    /// Mean number of list entries per cluster; each costs one pair formula for all particles of the cluster.
     pub fn entries_per_cluster(&self) -> f64 {
-        let entries: usize = self.chunks.iter().map(Chunk::entries).sum();
-        let clusters = self.reference.len().div_ceil(lane::WIDTH);
+        let entries: usize = self
+            .chunks
+            .iter()
+            .map(|c| c.entries().as_slice().len())
+            .sum();
+        let clusters: usize = self.chunks.iter().map(Chunk::len).sum();
         entries as f64 / clusters.max(1) as f64
     }
 
     /// Memory held by lists and scratch, bytes.
     pub fn bytes(&self) -> usize {
         let lists: usize = self.chunks.iter().map(Chunk::bytes).sum();
-        lists + self.records.bytes() + self.reference.capacity() * size_of::<Vector<f64, D>>()
+        let records = self.records.double.bytes() + self.records.mixed.bytes();
+        lists + records + self.reference.capacity() * size_of::<Vector<f64, D>>()
     }
 }
 
@@ -215,39 +249,56 @@ impl<const D: usize> Sweep<D> for Pairs<D> {
         &mut self,
         term: &T,
         particles: &Particles<D>,
-        active: impl Fn(std::ops::Range<usize>) -> bool + Sync,
+        active: impl Fn(Range<usize>) -> bool + Sync,
         sums: &mut Vec<T::Sum<f64>>,
     ) {
-        let stride = sweep::stride(D + T::Record::<f64>::LENGTH);
-        let rows = particles.len();
-        let zero = Record::read(&mut || 0.0);
-        sums.resize(rows, zero);
-        let records = self
-            .records
-            .take((rows + self.sorted_images.len()) * stride);
-        let (own, shifted) = records.split_at_mut(rows * stride);
-        sweep::pack(term, particles, own);
-        shifted
-            .par_chunks_exact_mut(stride)
-            .with_min_len(1024)
-            .zip(&self.sorted_images)
-            .for_each(|(packed, image)| {
-                let source = image.source as usize;
-                packed.copy_from_slice(&own[source * stride..][..stride]);
-                for (x, shift) in packed.iter_mut().zip(image.shift.0) {
-                    *x += shift;
-                }
-            });
+        sums.resize(particles.len(), Record::read(&mut || 0.0));
+        let count = particles.len() + self.sorted_images.len();
+        let mut records = std::mem::take(&mut self.records);
+        match self.precision {
+            Precision::Double => {
+                let packed = records.double.take(count * stride::<Double, T, D>());
+                self.sum_in(Double, term, particles, active, packed, sums);
+            }
+            Precision::Mixed => {
+                let packed = records.mixed.take(count * stride::<Mixed, T, D>());
+                let arithmetic = Mixed::new(self.support.max(self.skin));
+                self.sum_in(arithmetic, term, particles, active, packed, sums);
+            }
+        }
+        self.records = records;
+    }
+}
+
+impl<const D: usize> Pairs<D> {
+    fn sum_in<N: Arithmetic, T: PairTerm<D>>(
+        &self,
+        arithmetic: N,
+        term: &T,
+        particles: &Particles<D>,
+        active: impl Fn(Range<usize>) -> bool + Sync,
+        packed: &mut [N::Packed],
+        sums: &mut [T::Sum<f64>],
+    ) {
+        let images = &self.sorted_images;
+        let records = records::pack(arithmetic, term, particles, images, packed);
         let kernel = ScaledKernel::new(self.kernel, self.smoothing_length, D);
         let (level, chunks) = (self.level, &self.chunks);
         if self.kernel == Kernel::WendlandC2 {
             // The default kernel is worth code of its own.
             let kernel = kernel.compiled::<WendlandC2>();
-            sweep::run::<_, T, D>(level, term, kernel, chunks, records, &active, sums);
+            sweep::run(level, term, kernel, chunks, records, &active, sums);
         } else {
-            sweep::run::<_, T, D>(level, term, kernel, chunks, records, &active, sums);
+            sweep::run(level, term, kernel, chunks, records, &active, sums);
         }
     }
+}
+
+/// Packed records, kept between sweeps.
+#[derive(Debug, Default)]
+struct Buffers {
+    double: LineBuffer<f64>,
+    mixed: LineBuffer<u32>,
 }
 
 /// Whether no row of `a` is farther than `distance` from that of `b`; a NaN is.

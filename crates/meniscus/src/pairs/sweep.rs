@@ -1,85 +1,64 @@
 //! One sweep: a term summed over all pairs of all clusters.
 //!
-//! Eight particles of a cluster lie in the lanes; the neighbours come one at
-//! a time, broadcast from a packed record (position first, then what the
-//! term reads). Kernels vanish outside their support, so there is no mask.
+//! The particles of a cluster lie in the lanes; the neighbours come one at a
+//! time, broadcast from a packed record (position first, then what the term
+//! reads). Kernels vanish outside their support, so there is no mask.
+
+use std::ops::Range;
 
 use fearless_simd::{Level, Simd};
 use rayon::prelude::*;
 
-use super::lane::{Lane, WIDTH};
+use super::arithmetic::Arithmetic;
+use super::columns::PADDING;
+use super::lane::WIDTH;
 use super::level::{WithSimd, with_simd};
-use super::lists::{CLUSTERS_PER_CHUNK, Chunk};
-use crate::particles::Particles;
+use super::lists::{Chunk, ROWS_PER_CHUNK};
+use super::records::Records;
 use crate::term::{Approach, PairTerm, Record, ScaledKernel, Shape};
 use crate::vector::Vector;
 
 /// List entries between the prefetched record and the one in use.
 const PREFETCH_AHEAD: usize = 64;
-
-/// Reals from one packed record to the next: a whole number of vectors of four.
-pub(crate) const fn stride(reals: usize) -> usize {
-    reals.next_multiple_of(4)
-}
-
-/// Packs position and record of every row into `records`.
-pub(crate) fn pack<T: PairTerm<D>, const D: usize>(
-    term: &T,
-    particles: &Particles<D>,
-    records: &mut [f64],
-) {
-    let stride = stride(D + T::Record::<f64>::LENGTH);
-    records
-        .par_chunks_exact_mut(stride)
-        .with_min_len(1024)
-        .enumerate()
-        .for_each(|(i, packed)| {
-            let position = particles.position[i];
-            packed[..D].copy_from_slice(&position.0);
-            let mut k = D;
-            term.record(particles, i).write(&mut |value| {
-                packed[k] = value;
-                k += 1;
-            });
-        });
-}
+/// Entries that one turn of the loop may look at.
+const WINDOW: usize = PREFETCH_AHEAD + 2;
+const _: () = assert!(WINDOW + 2 <= PADDING);
 
 /// Sums `term` for the rows of every cluster for which `active` holds; the
 /// others get zero. `records` holds the rows, then the images.
-pub(crate) fn run<Q: Shape, T: PairTerm<D>, const D: usize>(
+pub(crate) fn run<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize>(
     level: Level,
     term: &T,
     kernel: ScaledKernel<Q>,
     chunks: &[Chunk],
-    records: &[f64],
-    active: &(impl Fn(std::ops::Range<usize>) -> bool + Sync),
+    records: Records<'_, N, T, D>,
+    active: &(impl Fn(Range<usize>) -> bool + Sync),
     sums: &mut [T::Sum<f64>],
 ) {
-    sums.par_chunks_mut(WIDTH * CLUSTERS_PER_CHUNK)
+    sums.par_chunks_mut(ROWS_PER_CHUNK)
         .zip(chunks)
         .enumerate()
         .for_each(|(c, (sums, chunk))| {
-            let first = c * WIDTH * CLUSTERS_PER_CHUNK;
-            with_simd(
-                level,
-                Task {
-                    term,
-                    kernel,
-                    chunk,
-                    records,
-                    active,
-                    first,
-                    sums,
-                },
-            );
+            let first = c * ROWS_PER_CHUNK;
+            assert!(chunk.bound().max(first + sums.len()) <= records.len());
+            let task = Task {
+                term,
+                kernel,
+                chunk,
+                records,
+                active,
+                first,
+                sums,
+            };
+            with_simd(level, task);
         });
 }
 
-struct Task<'a, Q, T: PairTerm<D>, A, const D: usize> {
+struct Task<'a, N: Arithmetic, Q, T: PairTerm<D>, A, const D: usize> {
     term: &'a T,
     kernel: ScaledKernel<Q>,
     chunk: &'a Chunk,
-    records: &'a [f64],
+    records: Records<'a, N, T, D>,
     active: &'a A,
     /// First row of the chunk.
     first: usize,
@@ -87,19 +66,22 @@ struct Task<'a, Q, T: PairTerm<D>, A, const D: usize> {
     sums: &'a mut [T::Sum<f64>],
 }
 
-impl<Q: Shape, T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: usize> WithSimd
-    for Task<'_, Q, T, A, D>
+impl<N, Q, T, A, const D: usize> WithSimd for Task<'_, N, Q, T, A, D>
+where
+    N: Arithmetic,
+    Q: Shape,
+    T: PairTerm<D>,
+    A: Fn(Range<usize>) -> bool,
 {
     #[inline(always)]
     fn run<S: Simd>(mut self, simd: S) {
-        let mut start = self.first;
-        let sums = std::mem::take(&mut self.sums);
-        for (sums, list) in sums.chunks_mut(WIDTH).zip(self.chunk.lists()) {
-            let rows = start..start + sums.len();
-            start = rows.end;
+        let all = std::mem::take(&mut self.sums);
+        for (rows, list) in self.chunk.clusters() {
+            let sums = &mut all[rows.clone()];
+            let rows = self.first + rows.start..self.first + rows.end;
             if (self.active)(rows.clone()) {
                 let sum = self.cluster(simd, rows, list);
-                store(&sum, sums);
+                store::<N, S, _, _>(&sum, sums);
             } else {
                 sums.fill(Record::read(&mut || 0.0));
             }
@@ -107,64 +89,59 @@ impl<Q: Shape, T: PairTerm<D>, A: Fn(std::ops::Range<usize>) -> bool, const D: u
     }
 }
 
-impl<Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, Q, T, A, D> {
+impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, N, Q, T, A, D> {
     #[inline(always)]
-    fn approach<S: Simd>(
-        &self,
-        simd: S,
-        position: &Vector<Lane<S>, D>,
-        j: u32,
-    ) -> Approach<Lane<S>, D> {
-        let stride = const { stride(D + <T::Record<f64> as Record<f64>>::LENGTH) };
-        let record = &self.records[j as usize * stride..][..D];
-        let mut neighbour = *position;
-        for d in 0..D {
-            neighbour[d] = Lane::splat(simd, record[d]);
-        }
-        self.kernel.approach::<_, D>(*position - neighbour)
-    }
-
-    #[inline(always)]
+    #[allow(unsafe_code)]
     fn cluster<S: Simd>(
         &self,
         simd: S,
-        rows: std::ops::Range<usize>,
-        list: &[u32],
-    ) -> T::Sum<Lane<S>> {
-        let stride = const { stride(D + <T::Record<f64> as Record<f64>>::LENGTH) };
-        let mut column = 0;
-        let mut next_lane = || {
-            let mut values = [0.0; WIDTH];
-            for (lane, value) in values.iter_mut().enumerate() {
-                // A last cluster of fewer than eight repeats its last row.
-                let row = (rows.start + lane).min(rows.end - 1);
-                *value = self.records[row * stride + column];
-            }
-            column += 1;
-            Lane::load(simd, values)
-        };
-        let position = Vector::<Lane<S>, D>::read(&mut next_lane);
-        let own = T::Record::<Lane<S>>::read(&mut next_lane);
-        let mut sum = T::Sum::<Lane<S>>::read(&mut || Lane::splat(simd, 0.0));
+        rows: Range<usize>,
+        list: Range<usize>,
+    ) -> T::Sum<N::Lane<S>> {
         // Copies: behind a reference their parameters would be read, and their
         // choices made, anew for each pair, since the prefetch might write.
         let (term, kernel, records) = (*self.term, self.kernel, self.records);
-        let Some(&first) = list.first() else {
+        let mut sum = T::Sum::<N::Lane<S>>::read(&mut || N::splat(simd, 0.0));
+        if list.is_empty() {
             return sum;
+        }
+        let place: [N::Place<S>; D] =
+            std::array::from_fn(|d| N::load_place(simd, records.column(&rows, d)));
+        let mut column = D;
+        let own = T::Record::<N::Lane<S>>::read(&mut || {
+            column += 1;
+            N::load(simd, records.column(&rows, column - 1))
+        });
+        let entries = &self.chunk.entries().padded()[list.start..][..list.len() + PADDING];
+        let nobody = records.out_of_reach(rows.start);
+        // Where the last neighbour has no partner.
+        let lonely = if list.len() % N::AT_ONCE == 0 {
+            usize::MAX
+        } else {
+            list.len() - 1
         };
-        let mut next = self.approach(simd, &position, first);
-        for (n, &j) in list.iter().enumerate() {
-            if let Some(&ahead) = list.get(n + PREFETCH_AHEAD) {
-                prefetch(records, ahead as usize * stride, stride);
+        let arithmetic = records.arithmetic;
+        let halves = arithmetic.halves(simd);
+        // SAFETY: `run` has seen that every entry, and the zeros behind them, are records.
+        let pair = unsafe { records.pair(&entries[..2], &nobody, lonely == 0) };
+        let mut next = approach::<N, _, _, D>(simd, halves, arithmetic, &kernel, &place, pair);
+        let windows = entries.windows(WINDOW).step_by(N::AT_ONCE);
+        for (n, window) in (0..list.len()).step_by(N::AT_ONCE).zip(windows) {
+            let those = &window[N::AT_ONCE..];
+            for entry in &those[PREFETCH_AHEAD - N::AT_ONCE..][..N::AT_ONCE] {
+                records.prefetch(*entry);
             }
             let now = next;
             // The root of the next pair runs while this one is worked out.
-            next = self.approach(simd, &position, list[(n + 1).min(list.len() - 1)]);
-            let record = &records[j as usize * stride..][..stride];
+            // SAFETY: as above.
+            let pair = unsafe { records.pair(&those[..2], &nobody, lonely == n + N::AT_ONCE) };
+            next = approach::<N, _, _, D>(simd, halves, arithmetic, &kernel, &place, pair);
+            // SAFETY: as above.
+            let pair = unsafe { records.pair(&window[..2], &nobody, lonely == n) };
             let mut column = D;
-            let other = T::Record::<Lane<S>>::read(&mut || {
+            let other = T::Record::<N::Lane<S>>::read(&mut || {
                 column += 1;
-                Lane::splat(simd, record[column - 1])
+                N::broadcast(halves, pair.map(|record| record[column - 1]))
             });
             let pair = kernel.pair::<_, D>(now);
             term.pair(&own, &other, &pair, &mut sum);
@@ -173,15 +150,32 @@ impl<Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, Q, T, A, D> {
     }
 }
 
+/// The distance of a neighbour, or of two, from the particles at `place`.
+#[inline(always)]
+fn approach<N: Arithmetic, S: Simd, Q: Shape, const D: usize>(
+    simd: S,
+    halves: N::Halves<S>,
+    arithmetic: N,
+    kernel: &ScaledKernel<Q>,
+    place: &[N::Place<S>; D],
+    pair: [&[N::Packed]; 2],
+) -> Approach<N::Lane<S>, D> {
+    let mut offset = Vector([N::splat(simd, 0.0); D]);
+    for d in 0..D {
+        offset[d] = arithmetic.offset(halves, place[d], pair.map(|record| record[d]));
+    }
+    kernel.approach::<_, D>(offset)
+}
+
 /// Transposes a sum of lanes into one sum per row.
 #[inline(always)]
-fn store<S: Simd, L: Record<Lane<S>>, F: Record<f64>>(sum: &L, out: &mut [F]) {
+fn store<N: Arithmetic, S: Simd, L: Record<N::Lane<S>>, F: Record<f64>>(sum: &L, out: &mut [F]) {
     const MOST: usize = 32;
     const { assert!(F::LENGTH <= MOST && F::LENGTH == L::LENGTH) };
     let mut lanes = [[0.0; WIDTH]; MOST];
     let mut column = 0;
-    sum.write(&mut |lane: Lane<S>| {
-        lanes[column] = lane.to_array();
+    sum.write(&mut |lane: N::Lane<S>| {
+        lanes[column] = N::gather(lane);
         column += 1;
     });
     for (row, out) in out.iter_mut().enumerate() {
@@ -192,24 +186,4 @@ fn store<S: Simd, L: Record<Lane<S>>, F: Record<f64>>(sum: &L, out: &mut [F]) {
             value
         });
     }
-}
-
-/// Asks for the cache lines of `stride` reals from `start`.
-#[inline(always)]
-#[allow(unsafe_code)]
-fn prefetch(records: &[f64], start: usize, stride: usize) {
-    #[cfg(target_arch = "x86_64")]
-    {
-        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        let pointer = records.as_ptr().wrapping_add(start);
-        // SAFETY: a prefetch is a hint; it reads nothing and faults on no address.
-        unsafe {
-            _mm_prefetch::<_MM_HINT_T0>(pointer.cast());
-            if stride > 8 {
-                _mm_prefetch::<_MM_HINT_T0>(pointer.wrapping_add(8).cast());
-            }
-        }
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = (records, start, stride);
 }

@@ -40,7 +40,8 @@ impl<const D: usize> PairTerm<D> for Continuity {
 
     #[inline(always)]
     fn pair<R: Real>(&self, i: &Moving<R, D>, j: &Moving<R, D>, ij: &Pair<R, D>, sum: &mut R) {
-        *sum = *sum + (i.velocity - j.velocity).dot(&ij.grad_w) * j.volume;
+        let approach = (i.velocity - j.velocity).dot(&ij.offset);
+        *sum = approach.mul_add(ij.slope_over_distance * j.volume, *sum);
     }
 }
 

@@ -28,6 +28,92 @@ pub enum PressureForm {
     HuAdams,
 }
 
+/// The pressure gradient of one pair: a form known to the compiler, or chosen at run time.
+pub trait PressureGradient: Copy + Sync {
+    /// What a particle of this pressure (Pa) and density (kg/m^3) brings to a pair.
+    fn stress(self, pressure: f64, density: f64) -> f64;
+    /// The factor of -grad W, m^5/(kg s^2) times kg. `masses` are those of i and j, kg.
+    fn along_gradient<R: Real, const D: usize>(
+        self,
+        i: &Flowing<R, D>,
+        j: &Flowing<R, D>,
+        masses: (R, R),
+    ) -> R;
+}
+
+/// [`PressureForm::OverDensitySquared`], known to the compiler.
+#[derive(Clone, Copy, Debug)]
+pub struct OverDensitySquared;
+
+impl PressureGradient for OverDensitySquared {
+    #[inline(always)]
+    fn stress(self, pressure: f64, density: f64) -> f64 {
+        pressure / (density * density)
+    }
+    #[inline(always)]
+    fn along_gradient<R: Real, const D: usize>(
+        self,
+        i: &Flowing<R, D>,
+        j: &Flowing<R, D>,
+        (_, mass): (R, R),
+    ) -> R {
+        mass * (i.stress + j.stress)
+    }
+}
+
+/// [`PressureForm::OverDensityProduct`], known to the compiler.
+#[derive(Clone, Copy, Debug)]
+pub struct OverDensityProduct;
+
+impl PressureGradient for OverDensityProduct {
+    #[inline(always)]
+    fn stress(self, pressure: f64, _: f64) -> f64 {
+        pressure
+    }
+    #[inline(always)]
+    fn along_gradient<R: Real, const D: usize>(
+        self,
+        i: &Flowing<R, D>,
+        j: &Flowing<R, D>,
+        (_, mass): (R, R),
+    ) -> R {
+        mass * ((i.stress + j.stress) / (i.density * j.density))
+    }
+}
+
+impl PressureGradient for Option<PressureForm> {
+    fn stress(self, pressure: f64, density: f64) -> f64 {
+        match self {
+            Some(PressureForm::OverDensitySquared) => OverDensitySquared.stress(pressure, density),
+            _ => pressure,
+        }
+    }
+    #[inline(always)]
+    fn along_gradient<R: Real, const D: usize>(
+        self,
+        i: &Flowing<R, D>,
+        j: &Flowing<R, D>,
+        masses: (R, R),
+    ) -> R {
+        match self {
+            Some(PressureForm::OverDensitySquared) => {
+                OverDensitySquared.along_gradient(i, j, masses)
+            }
+            Some(PressureForm::OverDensityProduct) => {
+                OverDensityProduct.along_gradient(i, j, masses)
+            }
+            Some(PressureForm::HuAdams) => {
+                let (own_mass, mass) = masses;
+                let volumes = (own_mass / i.density).square() + (mass / j.density).square();
+                let between =
+                    (j.density * i.stress + i.density * j.stress) / (i.density + j.density);
+                volumes * between / own_mass
+            }
+            None => i.density.zero(),
+        }
+    }
+}
+
 record! {
     /// What the momentum equation reads, beside the material.
     pub struct Flowing<R, D> {
@@ -75,14 +161,24 @@ pub trait Material: Copy + Sync {
 
 /// One fluid, all particles of one mass: nothing is read.
 #[derive(Clone, Copy, Debug)]
-pub struct OneFluid<'a> {
-    /// m, kg
-    pub mass: f64,
-    /// The fluid.
-    pub fluid: &'a Fluid,
+pub struct OneFluid {
+    mass: f64,
+    sound_speed: f64,
+    viscosity: f64,
 }
 
-impl Material for OneFluid<'_> {
+impl OneFluid {
+    /// Particles of `mass` kg of `fluid`.
+    pub fn new(mass: f64, fluid: &Fluid) -> Self {
+        Self {
+            mass,
+            sound_speed: fluid.sound_speed,
+            viscosity: fluid.viscosity,
+        }
+    }
+}
+
+impl Material for OneFluid {
     type Record<R: Real> = ();
 
     fn record(&self, _: f64, _: u16, _: u16) {}
@@ -93,11 +189,11 @@ impl Material for OneFluid<'_> {
     }
     #[inline(always)]
     fn sound_speed<R: Real>(&self, (): &(), like: R) -> R {
-        like.literal(self.fluid.sound_speed)
+        like.literal(self.sound_speed)
     }
     #[inline(always)]
     fn viscosity<R: Real>(&self, (): &(), like: R) -> R {
-        like.literal(self.fluid.viscosity)
+        like.literal(self.viscosity)
     }
 }
 
@@ -149,11 +245,11 @@ impl Material for Mixture<'_> {
 
 /// Sums to acceleration, m/s^2.
 #[derive(Clone, Copy, Debug)]
-pub struct Momentum<M> {
+pub struct Momentum<M, P = Option<PressureForm>> {
     /// Materials.
     pub material: M,
     /// Form of the pressure gradient, if it acts.
-    pub pressure: Option<PressureForm>,
+    pub pressure: P,
     /// alpha of the artificial viscosity; zero for none.
     pub artificial_viscosity: f64,
     /// Form of the laminar viscous force, if it acts.
@@ -162,16 +258,13 @@ pub struct Momentum<M> {
     pub smoothing_length: f64,
 }
 
-impl<M: Material, const D: usize> PairTerm<D> for Momentum<M> {
+impl<M: Material, P: PressureGradient, const D: usize> PairTerm<D> for Momentum<M, P> {
     type Record<R: Real> = (Flowing<R, D>, M::Record<R>);
     type Sum<R: Real> = Vector<R, D>;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> (Flowing<f64, D>, M::Record<f64>) {
         let (density, pressure) = (particles.density[i], particles.pressure[i]);
-        let stress = match self.pressure {
-            Some(PressureForm::OverDensitySquared) => pressure / (density * density),
-            _ => pressure,
-        };
+        let stress = self.pressure.stress(pressure, density);
         let flowing = Flowing {
             velocity: particles.velocity[i],
             density,
@@ -194,23 +287,8 @@ impl<M: Material, const D: usize> PairTerm<D> for Momentum<M> {
     ) {
         let like = i.density;
         let mass = self.material.mass(j_material, like);
-        let mut along_gradient = like.zero();
-        match self.pressure {
-            Some(PressureForm::OverDensitySquared) => {
-                along_gradient = mass * (i.stress + j.stress);
-            }
-            Some(PressureForm::OverDensityProduct) => {
-                along_gradient = mass * ((i.stress + j.stress) / (i.density * j.density));
-            }
-            Some(PressureForm::HuAdams) => {
-                let own_mass = self.material.mass(i_material, like);
-                let volumes = (own_mass / i.density).square() + (mass / j.density).square();
-                let between =
-                    (j.density * i.stress + i.density * j.stress) / (i.density + j.density);
-                along_gradient = volumes * between / own_mass;
-            }
-            None => {}
-        }
+        let own_mass = self.material.mass(i_material, like);
+        let mut along_gradient = (self.pressure).along_gradient(i, j, (own_mass, mass));
         let mut velocity_difference = i.velocity - j.velocity;
         if M::WALLS {
             let contact = self.material.contact(i_material, j_material, like);
@@ -225,13 +303,13 @@ impl<M: Material, const D: usize> PairTerm<D> for Momentum<M> {
                 self.artificial_viscosity * h,
                 0.01 * h * h,
                 &velocity_difference,
-                sound_speeds * 0.5,
-                (i.density + j.density) * 0.5,
+                sound_speeds,
+                i.density + j.density,
                 ij,
             );
-            along_gradient = along_gradient + mass * pi;
+            along_gradient = mass.mul_add(pi, along_gradient);
         }
-        *sum -= ij.grad_w * along_gradient;
+        *sum = sum.add_scaled(ij.offset, -(ij.slope_over_distance * along_gradient));
         if let Some(form) = self.viscosity {
             let viscosities = (
                 self.material.viscosity(i_material, like),

@@ -38,14 +38,16 @@ pub fn artificial<R: Real, const D: usize>(
     alpha_h: f64,
     epsilon_h_squared: f64,
     velocity_difference: &Vector<R, D>,
-    mean_sound_speed: R,
-    mean_density: R,
+    sum_of_sound_speeds: R,
+    sum_of_densities: R,
     ij: &Pair<R, D>,
 ) -> R {
     let approach = velocity_difference.dot(&ij.offset);
-    // One division for both denominators.
-    let denominator = (ij.distance_squared + epsilon_h_squared) * mean_density;
-    (-(approach * mean_sound_speed * alpha_h) / denominator).positive()
+    // One division for both denominators. The halves of the two means cancel.
+    let denominator = (ij.distance_squared + epsilon_h_squared) * sum_of_densities;
+    // The same for all pairs of one fluid.
+    let strength = sum_of_sound_speeds * -alpha_h;
+    (approach * strength / denominator).positive()
 }
 
 /// Acceleration per unit mass of j by Morris's form.
@@ -70,8 +72,8 @@ pub fn monaghan_cleary<R: Real, const D: usize>(
 ) -> Vector<R, D> {
     let (mu_i, mu_j) = viscosities;
     // Keeps 0/0 out where neither fluid is viscous, and r = 0 for i = j.
-    let sum = mu_i + mu_j + f64::MIN_POSITIVE;
-    let distance_squared = ij.distance_squared + f64::MIN_POSITIVE;
+    let sum = mu_i + mu_j + mu_i.tiny();
+    let distance_squared = ij.distance_squared + mu_i.tiny();
     let mean = mu_i * mu_j * (4.0 * (D as f64 + 2.0)) / sum;
     let approach = velocity_difference.dot(&ij.offset) / distance_squared;
     ij.grad_w * (mean / density_product * approach)

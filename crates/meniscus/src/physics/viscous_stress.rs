@@ -114,22 +114,27 @@ impl<const D: usize> ViscousStress<D> {
     ) {
         sweep.sweep(&VelocityGradient, particles, |_| true, &mut self.gradients);
         self.stress.clear();
-        self.stress
-            .extend(self.gradients.iter().zip(&particles.fluid).map(|(sum, &fluid)| {
-                let viscosity = fluids[fluid as usize].viscosity;
-                let inverse = sum.matrix.inverse(LEAST_MATRIX);
-                let gradient = sum.gradient();
-                Matrix(std::array::from_fn(|d| {
-                    let row = Vector(std::array::from_fn(|e| {
-                        viscosity * (gradient.0[d][e] + gradient.0[e][d])
-                    }));
-                    inverse.times(&row)
-                }))
-            }));
+        self.stress.extend(
+            self.gradients
+                .iter()
+                .zip(&particles.fluid)
+                .map(|(sum, &fluid)| {
+                    let viscosity = fluids[fluid as usize].viscosity;
+                    let inverse = sum.matrix.inverse(LEAST_MATRIX);
+                    let gradient = sum.gradient();
+                    Matrix(std::array::from_fn(|d| {
+                        let row = Vector(std::array::from_fn(|e| {
+                            viscosity * (gradient.0[d][e] + gradient.0[e][d])
+                        }));
+                        inverse.times(&row)
+                    }))
+                }),
+        );
         let stress = &self.stress;
         let term = StressDivergence { stress };
         sweep.sweep(&term, particles, |_| true, &mut self.force);
-        for ((a, force), density) in (acceleration.iter_mut().zip(&self.force)).zip(&particles.density)
+        for ((a, force), density) in
+            (acceleration.iter_mut().zip(&self.force)).zip(&particles.density)
         {
             *a += *force * (1.0 / density);
         }

@@ -6,7 +6,7 @@ use meniscus::scheme::{
     BodyForce, DensityForm, Integrator, PressureForm, Scheme, SurfaceTension, TimeStep,
     ViscosityForm,
 };
-use meniscus::{Domain, Kernel, Particle, Setup, Vector};
+use meniscus::{Domain, Kernel, Particle, Precision, Setup, Vector};
 
 /// Unit density, viscosity `viscosity`, tension `surface_tension`, sound speed 10.
 pub fn fluid(viscosity: f64, surface_tension: f64) -> Fluid {
@@ -37,6 +37,7 @@ pub fn scheme(spacing: f64) -> Scheme {
         walls: Vec::new(),
         integrator: Integrator::Symplectic,
         time_step: TimeStep::Adaptive { safety: 1.0 },
+        precision: Precision::Double,
     }
 }
 

@@ -18,7 +18,11 @@ fn jump<const D: usize>(simulation: &Simulation<D>, near: f64, far: f64) -> f64 
     let mean = |pass: &dyn Fn(f64) -> bool| {
         let rows = (0..p.len()).filter(|&i| pass(p.position[i].norm()));
         let (sum, count) = rows.fold((0.0, 0), |(sum, count), i| (sum + p.pressure[i], count + 1));
-        if count > 0 { sum / f64::from(count) } else { 0.0 }
+        if count > 0 {
+            sum / f64::from(count)
+        } else {
+            0.0
+        }
     };
     mean(&|r| r < near) - mean(&|r| r > far)
 }
@@ -46,7 +50,10 @@ fn a_drop_alone_has_the_pressure_of_laplace() {
         let found = alone::<2>(radius, jitter);
         println!("alone 2D {radius} {jitter} {found}");
         // The curvature's error, and a few per cent of a lattice on its way to rings.
-        assert!((found - 1.0).abs() < 0.08, "R = {radius} dx, jitter {jitter}: {found}");
+        assert!(
+            (found - 1.0).abs() < 0.08,
+            "R = {radius} dx, jitter {jitter}: {found}"
+        );
     }
     // As the curvature of a sphere of 7 spacings.
     let found = alone::<3>(7.0, 0.0);
@@ -63,7 +70,11 @@ fn in_a_fluid(density: f64, sound_speed: f64, jitter: f64, form: Form) -> Setup<
     let particles = (0..4 * half * half)
         .map(|k| {
             let at = |axis: i64| {
-                let cell = if axis == 0 { k % (2 * half) } else { k / (2 * half) };
+                let cell = if axis == 0 {
+                    k % (2 * half)
+                } else {
+                    k / (2 * half)
+                };
                 (cell - half) as f64 + 0.5 + jitter * noise(2 * k + axis)
             };
             let position = Vector([at(0), at(1)]);
@@ -101,7 +112,9 @@ fn in_a_fluid(density: f64, sound_speed: f64, jitter: f64, form: Form) -> Setup<
 #[test]
 fn a_drop_in_another_fluid_has_the_pressure_of_laplace() {
     for form in [Form::Balanced, Form::Stress] {
-        for (density, sound_speed, jitter) in [(1.0, 10.0, 0.0), (1.0, 10.0, 0.1), (1e-3, 300.0, 0.1)] {
+        for (density, sound_speed, jitter) in
+            [(1.0, 10.0, 0.0), (1.0, 10.0, 0.1), (1e-3, 300.0, 0.1)]
+        {
             let setup = in_a_fluid(density, sound_speed, jitter, form);
             let count = setup.particles.iter().filter(|p| p.fluid == 0).count() as f64;
             let exact = 1.0 / (count / std::f64::consts::PI).sqrt();
@@ -122,7 +135,10 @@ fn a_drop_in_another_fluid_has_the_pressure_of_laplace() {
                 "{form:?}, density {density}, jitter {jitter}: {found}"
             );
             // Parasitic, against sqrt(sigma / (rho R)) = 0.35.
-            assert!(speed < 0.1, "{form:?}, density {density}, jitter {jitter}: {speed}");
+            assert!(
+                speed < 0.1,
+                "{form:?}, density {density}, jitter {jitter}: {speed}"
+            );
         }
     }
 }

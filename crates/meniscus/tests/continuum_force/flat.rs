@@ -137,8 +137,8 @@ fn as_printed_it_does_not() {
             ..Continuum::PRINTED
         };
         let (kernel, h) = (Kernel::CubicSpline, 2.0);
-        let found = strength::<2>(kernel, h, model, false)
-            * sum_of_normals(kernel, h, model, false, 2);
+        let found =
+            strength::<2>(kernel, h, model, false) * sum_of_normals(kernel, h, model, false, 2);
         assert!((found - share).abs() < 0.005, "{normal:?}: {found}");
     }
 }

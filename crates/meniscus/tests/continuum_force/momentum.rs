@@ -22,7 +22,10 @@ where
         acts += p.acceleration[i] * p.mass[i];
     }
     let unit = radius.powi(D as i32 - 2);
-    (simulation.surface().net_force.norm() / unit, acts.norm() / unit)
+    (
+        simulation.surface().net_force.norm() / unit,
+        acts.norm() / unit,
+    )
 }
 
 #[test]
@@ -34,8 +37,14 @@ fn a_disordered_drop_is_not_pulled_along() {
             form,
             ..Continuum::default()
         };
-        let (flat, solid) = (net_forces::<2>(13.4, model).1, net_forces::<3>(7.0, model).1);
-        assert!(flat < rounding && solid < rounding, "{form:?}: {flat:e}, {solid:e}");
+        let (flat, solid) = (
+            net_forces::<2>(13.4, model).1,
+            net_forces::<3>(7.0, model).1,
+        );
+        assert!(
+            flat < rounding && solid < rounding,
+            "{form:?}: {flat:e}, {solid:e}"
+        );
     }
 }
 
@@ -48,7 +57,10 @@ fn what_balancing_takes_off_is_little() {
         net_forces::<2>(13.4, Continuum::PRINTED).0,
         net_forces::<2>(13.4, default).0,
     );
-    assert!(found < 0.05 && found < 0.3 * printed, "2D: {found}, {printed}");
+    assert!(
+        found < 0.05 && found < 0.3 * printed,
+        "2D: {found}, {printed}"
+    );
     let (printed, found) = (
         net_forces::<3>(7.0, Continuum::PRINTED).0,
         net_forces::<3>(7.0, default).0,

@@ -32,7 +32,9 @@ where
 /// Power of the forces, W.
 fn power<const D: usize>(simulation: &Simulation<D>) -> f64 {
     let p = simulation.particles();
-    (0..p.len()).map(|i| p.mass[i] * p.velocity[i].dot(&p.acceleration[i])).sum()
+    (0..p.len())
+        .map(|i| p.mass[i] * p.velocity[i].dot(&p.acceleration[i]))
+        .sum()
 }
 
 fn volume<const D: usize>(simulation: &Simulation<D>) -> f64 {
@@ -54,7 +56,12 @@ fn pure_strain_loses_what_navier_and_stokes_say_up_to_the_surface() {
 #[test]
 fn a_solid_rotation_feels_nothing() {
     let turning = moving::<2>(|x| Vector([-x[1], x[0]]));
-    let most = turning.particles().acceleration.iter().map(Vector::norm).fold(0.0, f64::max);
+    let most = turning
+        .particles()
+        .acceleration
+        .iter()
+        .map(Vector::norm)
+        .fold(0.0, f64::max);
     assert!(most < 1e-12, "{most:e}");
 }
 

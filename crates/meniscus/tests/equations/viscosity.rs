@@ -39,9 +39,10 @@ where
     Space: Dimension<D>,
 {
     let square = mean_over_kernel(n, D, |y| y * y);
-    let part = match form {
-        ViscosityForm::Morris => 1.0,
-        ViscosityForm::MonaghanCleary => (D as f64 + 2.0) / (D as f64 + 4.0),
+    let part = if form == ViscosityForm::Morris {
+        1.0
+    } else {
+        (D as f64 + 2.0) / (D as f64 + 4.0)
     };
     let expected = NU * K * K * (1.0 - part * K * K * square / 4.0);
     let found = decay::<D>(n, form);

@@ -182,7 +182,12 @@ impl Layers {
             Side::Outside => radius + self.thickness(),
         };
         let circumference = TAU * outer / self.spacing;
-        let shell = circumference * if D == 2 { 1.0 } else { 2.0 * outer / self.spacing };
+        let shell = circumference
+            * if D == 2 {
+                1.0
+            } else {
+                2.0 * outer / self.spacing
+            };
         self.allow(shell * self.count as f64)?;
         let mut positions = Vec::new();
         for depth in self.depths() {
@@ -214,7 +219,9 @@ impl Layers {
     ) -> Result<Vec<Vector<f64, 2>>, FillError> {
         let n = corners.len();
         let edge = |k: usize| corners[(k + 1) % n] - corners[k % n];
-        let area: f64 = (0..n).map(|k| cross(corners[k], corners[(k + 1) % n])).sum();
+        let area: f64 = (0..n)
+            .map(|k| cross(corners[k], corners[(k + 1) % n]))
+            .sum();
         if n < 3 || area == 0.0 || (0..n).any(|k| edge(k).norm() == 0.0) {
             return Err(FillError::Empty);
         }
