@@ -48,7 +48,6 @@ where
 fn a_drop_alone_has_the_pressure_of_laplace() {
     for (radius, jitter) in [(13.4, 0.0), (13.4, 0.1), (24.95, 0.0)] {
         let found = alone::<2>(radius, jitter);
-        println!("alone 2D {radius} {jitter} {found}");
         // The curvature's error, and a few per cent of a lattice on its way to rings.
         assert!(
             (found - 1.0).abs() < 0.08,
@@ -129,7 +128,6 @@ fn a_drop_in_another_fluid_has_the_pressure_of_laplace() {
             }
             let found = sum / f64::from(samples) / exact;
             let speed = maximum_speed(&simulation.particles().velocity);
-            println!("{form:?} {density} {jitter}: {found} speed {speed}");
             assert!(
                 (found - 1.0).abs() < 0.1,
                 "{form:?}, density {density}, jitter {jitter}: {found}"
