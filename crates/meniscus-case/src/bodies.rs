@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use meniscus::scheme::Wall;
 use meniscus::shape::{Arrangement, FillError, Shape};
 use meniscus::{Particle, Vector};
 
@@ -10,12 +11,18 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::grammar::{Draft, DraftBody, Geometry};
 use crate::memory::{self, BYTES_PER_PARTICLE};
 use crate::overlap::closest_of_two_bodies;
+use crate::walls::{WallBody, lay_all};
 
-/// All particles, and what each body is made of; none if one cannot be filled.
-pub(crate) fn fill_all(
-    draft: &Draft,
-    problems: &mut Vec<Diagnostic>,
-) -> Option<(Vec<Particle<3>>, Vec<Body>)> {
+/// What a case is filled with.
+pub(crate) struct Filled {
+    /// Particles of the bodies, then of the walls.
+    pub particles: Vec<Particle<3>>,
+    pub bodies: Vec<Body>,
+    pub walls: Vec<(WallBody, Wall)>,
+}
+
+/// All particles, and what each body and wall is made of; none if one cannot be filled.
+pub(crate) fn fill_all(draft: &Draft, problems: &mut Vec<Diagnostic>) -> Option<Filled> {
     let before = problems.len();
     let mut particles: Vec<Particle<3>> = Vec::new();
     let mut bodies = Vec::new();
@@ -37,13 +44,23 @@ pub(crate) fn fill_all(
             Err(problem) => problems.push(problem),
         }
     }
-    if problems.len() == before && draft.bodies.len() > 1 {
+    let walls = lay_all(draft, &mut particles, problems);
+    if problems.len() == before && draft.bodies.len() + walls.len() > 1 {
         problems.extend(overlap(draft, &particles));
     }
-    (problems.len() == before).then_some((particles, bodies))
+    (problems.len() == before).then_some(Filled {
+        particles,
+        bodies,
+        walls,
+    })
 }
 
-fn error(span: &Range<usize>, message: String, label: String, help: String) -> Diagnostic {
+pub(crate) fn error(
+    span: &Range<usize>,
+    message: String,
+    label: String,
+    help: String,
+) -> Diagnostic {
     Diagnostic {
         severity: Severity::Error,
         message,
@@ -82,19 +99,12 @@ fn fill_one(
                 format!("keep it within [periodic] {axis}, or widen the box"),
             ),
         },
-        Err(FillError::TooMany { estimate, .. }) => {
-            let bytes = estimate * BYTES_PER_PARTICLE;
-            let coarser = draft.spacing * (1.1 * bytes / free).powf(1.0 / draft.dimension as f64);
-            fail(
-                "is too large for this machine's memory",
-                format!(
-                    "up to {estimate:.1e} particles, {}; {} is free",
-                    size(bytes),
-                    size(free)
-                ),
-                format!("use a spacing of at least {coarser:.2e} m"),
-            )
-        }
+        Err(FillError::TooMany { estimate, .. }) => Err(too_large(
+            draft,
+            (&body.name, &body.shape_span),
+            estimate,
+            free,
+        )),
         Err(FillError::Empty) => fail(
             "holds no particle",
             "no point of the arrangement is inside".into(),
@@ -116,6 +126,27 @@ fn fill_one(
     }
 }
 
+/// What is said of a body or wall of more particles than fit into `free` bytes.
+pub(crate) fn too_large(
+    draft: &Draft,
+    (name, span): (&str, &Range<usize>),
+    estimate: f64,
+    free: f64,
+) -> Diagnostic {
+    let bytes = estimate * BYTES_PER_PARTICLE;
+    let coarser = draft.spacing * (1.1 * bytes / free).powf(1.0 / draft.dimension as f64);
+    error(
+        span,
+        format!("\"{name}\" is too large for this machine's memory"),
+        format!(
+            "up to {estimate:.1e} particles, {}; {} is free",
+            size(bytes),
+            size(free)
+        ),
+        format!("use a spacing of at least {coarser:.2e} m"),
+    )
+}
+
 fn fill<const D: usize>(
     shape: &Shape<D>,
     arrangement: &Arrangement<D>,
@@ -129,7 +160,10 @@ fn fill<const D: usize>(
 }
 
 /// A coordinate that is not in the periodic box.
-fn outside(positions: &[[f64; 3]], periodic: &[Option<(f64, f64)>; 3]) -> Option<(char, f64)> {
+pub(crate) fn outside(
+    positions: &[[f64; 3]],
+    periodic: &[Option<(f64, f64)>; 3],
+) -> Option<(char, f64)> {
     ['x', 'y', 'z']
         .into_iter()
         .zip(periodic)
@@ -177,13 +211,22 @@ fn moving(
 
 fn overlap(draft: &Draft, particles: &[Particle<3>]) -> Option<Diagnostic> {
     let (i, j) = closest_of_two_bodies(particles, &draft.periodic, 0.5 * draft.spacing)?;
-    let body = |k: usize| &draft.bodies[particles[k].body as usize];
+    let of = |k: usize| {
+        let index = usize::from(particles[k].body);
+        match draft.bodies.get(index) {
+            Some(body) => (&body.name, &body.shape_span),
+            None => {
+                let wall = &draft.walls[index - draft.bodies.len()];
+                (&wall.name, &wall.shape_span)
+            }
+        }
+    };
     let place: Vec<String> = (0..draft.dimension)
         .map(|d| format!("{:.4e}", particles[j].position[d]))
         .collect();
     Some(error(
-        &body(j).shape_span,
-        format!("\"{}\" and \"{}\" overlap", body(i).name, body(j).name),
+        of(j).1,
+        format!("\"{}\" and \"{}\" overlap", of(i).0, of(j).0),
         format!(
             "two particles less than half a spacing apart near {} m",
             place.join(", ")

@@ -9,6 +9,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::grammar::{Measure, Output};
 use crate::resolve::resolve;
 use crate::speed::SpeedScales;
+use crate::walls::WallBody;
 
 /// A case file as read, with every default filled in. All SI.
 #[derive(Clone, Debug)]
@@ -31,6 +32,8 @@ pub struct Case {
     pub fluids: Vec<Fluid>,
     /// The bodies of liquid at the start.
     pub bodies: Vec<Body>,
+    /// The walls, in the order of the scheme's.
+    pub walls: Vec<WallBody>,
     /// Lowest and highest coordinate, m, of each periodic direction.
     pub periodic: [Option<(f64, f64)>; 3],
     /// How often results are written.
@@ -95,7 +98,7 @@ impl Case {
         resolve(name, source)
     }
 
-    /// The particles at the start. `D` is the case's dimension.
+    /// The particles at the start, those of walls last. `D` is the case's dimension.
     pub fn particles<const D: usize>(&self) -> Vec<Particle<D>> {
         self.particles
             .iter()
@@ -122,7 +125,7 @@ impl Case {
         }
     }
 
-    /// Number of particles.
+    /// Number of particles, of fluid and walls.
     pub fn particle_count(&self) -> usize {
         self.particles.len()
     }

@@ -29,7 +29,7 @@
 //! - `case`: the resolved case
 //! - `grammar`: what may stand in a file
 //! - `read`: how a file is read, and its schema written, by one walk
-//! - `resolve`, `bodies`, `overlap`, `speed`, `memory`: from the file to particles, and whether they make sense
+//! - `resolve`, `bodies`, `walls`, `overlap`, `speed`, `memory`: from the file to particles, and whether they make sense
 //! - `doubts`: warnings about what can be run, but not believed
 //! - `units`, `diagnostic`, `template`
 
@@ -46,6 +46,7 @@ mod schema;
 mod speed;
 mod template;
 mod units;
+mod walls;
 
 pub use case::{Body, Case};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
@@ -54,3 +55,4 @@ pub use memory::BYTES_PER_PARTICLE;
 pub use schema::schema;
 pub use speed::{SpeedScales, default_sound_speed};
 pub use template::template;
+pub use walls::WallBody;

@@ -6,13 +6,14 @@ use std::path::Path;
 use meniscus::scheme::{Fluid, Scheme};
 use toml::de::{DeTable, DeValue};
 
-use crate::bodies::fill_all;
+use crate::bodies::{Filled, fill_all};
 use crate::case::Case;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::doubts::doubts;
 use crate::grammar::{Draft, document};
 use crate::read::{Context, Echo, Node};
 use crate::speed::{SpeedScales, default_sound_speed};
+use crate::walls::largest_speed;
 
 pub(crate) fn resolve(name: &str, source: &str) -> Result<Case, Diagnostics> {
     let table = DeTable::parse(source).map_err(|error| syntax(name, source, &error))?;
@@ -71,7 +72,11 @@ fn assemble(
     echo: &mut Echo,
     problems: &mut Vec<Diagnostic>,
 ) -> Option<Case> {
-    let (particles, bodies) = fill_all(&draft, problems)?;
+    let Filled {
+        particles,
+        bodies,
+        walls,
+    } = fill_all(&draft, problems)?;
     let mut fluids: Vec<Fluid> = draft
         .fluids
         .iter()
@@ -82,7 +87,11 @@ fn assemble(
         .map(|body| (body.fluid, body.volume))
         .collect();
     let body_force = draft.physics.body_force.as_ref();
-    let speeds = SpeedScales::new(draft.dimension, &particles, &fluids, &volumes, body_force);
+    let of_fluid = bodies.iter().map(|body| body.particles).sum();
+    let liquid = &particles[..of_fluid];
+    let mut speeds = SpeedScales::new(draft.dimension, liquid, &fluids, &volumes, body_force);
+    speeds.initial = speeds.initial.max(largest_speed(&walls, &particles));
+    let (walls, wall_schemes) = walls.into_iter().unzip();
     choose_sound_speeds(&draft, &speeds, &mut fluids, echo, problems);
     warn_of_idle_surface_tension(&draft, problems);
     problems.extend(doubts(&draft, &volumes));
@@ -107,13 +116,14 @@ fn assemble(
             velocity_smoothing: physics.velocity_smoothing,
             surface_tension: physics.surface_tension.filter(|_| any_tension),
             damping: physics.damping,
-            walls: Vec::new(),
+            walls: wall_schemes,
             integrator: physics.integrator,
             time_step: physics.time_step,
             precision: draft.precision,
         },
         fluids,
         bodies,
+        walls,
         periodic: draft.periodic,
         output: draft.output,
         measure: draft.measure,

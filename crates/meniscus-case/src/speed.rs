@@ -6,7 +6,7 @@ use meniscus::{Particle, Vector};
 /// Speeds that a case shows before it is run, m/s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedScales {
-    /// Largest speed of a particle at the start, or of one against another.
+    /// Largest speed of a particle at the start, or of one against another; or of a wall.
     pub initial: f64,
     /// sqrt(2 sigma / (rho R)) of the body where it is largest, R the radius
     /// of the disc or ball of the same volume: the pressure of surface tension

@@ -8,7 +8,7 @@ use super::arrangement::arrangement;
 use super::fluid::DraftFluid;
 use super::shape::shape;
 use crate::diagnostic::nearest;
-use crate::read::{Echo, Node, Sign};
+use crate::read::{Echo, Fields, Node, Sign};
 use crate::units;
 
 /// A body as read, before it is filled.
@@ -87,16 +87,7 @@ fn body<const D: usize>(
     node.table(|fields| {
         let default = format!("'body {number}'");
         let name = fields.or("name", &default, "What reports call it.", |node| node.text());
-        let about = "The name of its fluid. Default: the only one.";
-        let fluid = match fluids {
-            [only] if !fields.has("fluid") => {
-                fields.note("fluid", Echo::text(&only.fluid.name));
-                0
-            }
-            // With no fluid at all, that is what the file is told.
-            [] => fields.optional("fluid", about, |node| fluid(node, fluids)).unwrap_or(0),
-            _ => fields.required("fluid", about, |node| fluid(node, fluids)),
-        };
+        let fluid = fluid_of(fields, fluids, "The name of its fluid. Default: the only one.");
         let mut shape_span = 0..0;
         let shape = fields.required("shape", "The region that it fills.", |node| {
             shape_span = node.span();
@@ -119,6 +110,22 @@ fn body<const D: usize>(
         });
         DraftBody { name, fluid, geometry: geometry(shape, arrangement), shape_span, velocity, angular_velocity }
     })
+}
+
+/// The index of the fluid that a body or wall names.
+pub(super) fn fluid_of(fields: &mut Fields<'_, '_>, fluids: &[DraftFluid], about: &str) -> usize {
+    match fluids {
+        [only] if !fields.has("fluid") => {
+            fields.note("fluid", Echo::text(&only.fluid.name));
+            0
+        }
+        // With no fluid at all, that is what the file is told.
+        [] => {
+            let index = fields.optional("fluid", about, |node| fluid(node, fluids));
+            index.unwrap_or(0)
+        }
+        _ => fields.required("fluid", about, |node| fluid(node, fluids)),
+    }
 }
 
 /// The index of the fluid that is named.

@@ -6,6 +6,7 @@ use super::body::{DraftBody, bodies};
 use super::fluid::{DraftFluid, fluid};
 use super::output::{Measure, Output, measure, output};
 use super::physics::{Physics, physics};
+use super::wall::{DraftWall, walls};
 use crate::read::{Fields, Node, Sign};
 use crate::units;
 
@@ -22,6 +23,7 @@ pub(crate) struct Draft {
     pub periodic: [Option<(f64, f64)>; 3],
     pub fluids: Vec<DraftFluid>,
     pub bodies: Vec<DraftBody>,
+    pub walls: Vec<DraftWall>,
     pub physics: Physics,
     pub output: Output,
     pub measure: Measure,
@@ -74,6 +76,8 @@ pub(crate) fn document(node: &mut Node<'_>) -> Draft {
         let fluids = fields.required("fluid", about, |node| node.named(fluid));
         let about = "The bodies of liquid at the start, each in a section [[body]].";
         let bodies = fields.required("body", about, |node| bodies(node, &fluids));
+        let about = "Solid walls, each in a section [[wall]].";
+        let walls = fields.optional("wall", about, |node| walls(node, &fluids));
         let about = "The equations: all optional.";
         let physics = fields.or("physics", "{}", about, physics);
         let about = "How often results are written: all optional.";
@@ -92,6 +96,7 @@ pub(crate) fn document(node: &mut Node<'_>) -> Draft {
             periodic,
             fluids,
             bodies,
+            walls: walls.unwrap_or_default(),
             physics,
             output,
             measure,

@@ -1,7 +1,7 @@
 //! What may stand in a case file, and what it means.
 //!
 //! - `document`: the top of the file
-//! - `fluid`, `body`, `shape`, `arrangement`: what there is at the start
+//! - `fluid`, `body`, `shape`, `arrangement`: what there is at the start; `wall`: around it
 //! - `physics`: what is solved
 //! - `output`: what is written and measured
 
@@ -12,7 +12,9 @@ mod fluid;
 mod output;
 mod physics;
 mod shape;
+mod wall;
 
 pub(crate) use body::{DraftBody, Geometry};
 pub(crate) use document::{Draft, document};
 pub use output::{Measure, Oscillation, Output, Sensor, StaticPressure};
+pub(crate) use wall::{DraftWall, Surface, WallShape};
