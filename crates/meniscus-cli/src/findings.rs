@@ -298,7 +298,7 @@ fn common(case: &Case, series: &Series, findings: &mut Findings) {
         .filter_map(|name| series.column(name))
         .filter_map(|column| Some((column.last()? - column.first()?).abs() / mass))
         .reduce(f64::max);
-    if let (Some(drift), None) = (drift, &case.scheme.body_force) {
+    if let (Some(drift), None, true) = (drift, &case.scheme.body_force, case.walls.is_empty()) {
         let nothing = Some(("exact", 0.0));
         let name = "drift of the mean velocity";
         findings.add("momentum-drift", name, "m/s", nothing, exact(drift));

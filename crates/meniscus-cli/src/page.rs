@@ -135,5 +135,11 @@ fn parameters(case: &Case) -> Vec<(String, String)> {
             body.particles.to_string(),
         ));
     }
+    for wall in &case.walls {
+        rows.push((
+            format!("particles of {}", wall.name),
+            wall.particles.to_string(),
+        ));
+    }
     rows
 }

@@ -22,6 +22,7 @@ pub struct Sampler<'a, const D: usize> {
     body_names: Vec<String>,
     sensor_names: Vec<String>,
     curvature_names: Vec<String>,
+    wall_names: Vec<String>,
     /// Bodies whose shape is followed: none where the flow is periodic, since
     /// a body may then lie on both sides of the box.
     bodies: usize,
@@ -47,6 +48,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
                 "place",
                 case.measure.curvature.iter().map(|s| s.name.as_str()),
             ),
+            wall_names: names("wall", case.walls.iter().map(|wall| wall.name.as_str())),
             sensors: case.measure.sensors.iter().map(|s| sensor(s.at)).collect(),
             bodies: if periodic {
                 0
@@ -107,6 +109,14 @@ impl<'a, const D: usize> Sampler<'a, D> {
         for name in &self.curvature_names {
             columns.push(Column::new(&format!("curvature at {name}"), "1/m"));
         }
+        for name in self.wall_names.iter().take(MOST_BODIES) {
+            for axis in &AXES[..D] {
+                columns.push(Column::new(&format!("{name} force {axis}"), &per("N")));
+            }
+            for axis in turned_about(D) {
+                columns.push(Column::new(&format!("{name} moment {axis}"), &per("N m")));
+            }
+        }
         columns
     }
 
@@ -120,7 +130,14 @@ impl<'a, const D: usize> Sampler<'a, D> {
 
     /// One row of the series; NaN where a quantity does not exist.
     pub fn row(&self, simulation: &Simulation<D>) -> Vec<f64> {
-        let p = simulation.particles();
+        let all = simulation.particles();
+        let liquid;
+        let p = if self.case.walls.is_empty() {
+            all
+        } else {
+            liquid = all.of_bodies(|body| !simulation.is_wall(body));
+            &liquid
+        };
         let centre = centre_of_mass(&p.position, &p.mass).unwrap_or(Vector([f64::NAN; D]));
         let mut row = vec![
             simulation.time(),
@@ -162,10 +179,15 @@ impl<'a, const D: usize> Sampler<'a, D> {
         row.extend(surface.net_force.0);
         for place in &self.case.measure.curvature {
             let at = Vector::<f64, D>::from_3d(place.at);
-            let distance = |i: &usize| (p.position[*i] - at).norm();
-            let nearest = (0..p.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            let distance = |i: &usize| (all.position[*i] - at).norm();
+            let liquid = (0..all.len()).filter(|&i| !simulation.is_wall(all.body[i]));
+            let nearest = liquid.min_by(|a, b| distance(a).total_cmp(&distance(b)));
             let found = nearest.and_then(|i| surface.curvature.get(i));
             row.push(found.copied().unwrap_or(f64::NAN));
+        }
+        for load in simulation.wall_loads().iter().take(MOST_BODIES) {
+            row.extend(&load.force[..D]);
+            row.extend(&load.moment[3 - turned_about(D).len()..]);
         }
         row
     }
@@ -190,6 +212,11 @@ impl<'a, const D: usize> Sampler<'a, D> {
         }
         sums
     }
+}
+
+/// The axes that a moment may have: in 2D the one out of the plane alone.
+fn turned_about(dimension: usize) -> &'static [&'static str] {
+    &AXES[if dimension == 2 { 2 } else { 0 }..]
 }
 
 /// Names that may stand in the header of a series, each once: where two are
@@ -252,6 +279,10 @@ pub fn frame<const D: usize>(simulation: &Simulation<D>) -> Frame {
         scalar("fluid", "", &|i| f64::from(p.fluid[i])),
         scalar("body", "", &|i| f64::from(p.body[i])),
     ];
+    if !simulation.wall_loads().is_empty() {
+        let is_wall = |i: usize| f64::from(u8::from(simulation.is_wall(p.body[i])));
+        fields.push(scalar("wall", "", &is_wall));
+    }
     let surface = simulation.surface();
     if surface.curvature.len() == p.len() {
         fields.push(scalar("curvature", "1/m", &|i| surface.curvature[i]));

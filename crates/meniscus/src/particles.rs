@@ -57,6 +57,16 @@ impl<const D: usize> Particles<D> {
         }
     }
 
+    /// The rows of some bodies alone, in the same order.
+    pub fn of_bodies(&self, which: impl Fn(u16) -> bool) -> Self {
+        let rows: Vec<u32> = (0..self.len() as u32)
+            .filter(|&row| which(self.body[row as usize]))
+            .collect();
+        let mut part = self.clone();
+        part.permute(&rows, &mut Scratch::default());
+        part
+    }
+
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.position.len()

@@ -153,6 +153,7 @@ impl<const D: usize> Rates<D> {
         self.pairs
             .sweep(&term, particles, |_| true, &mut self.vectors);
         self.walls.show(particles);
+        self.walls.keep(&mut self.vectors);
         (particles.position.par_iter_mut(), &self.vectors)
             .into_par_iter()
             .with_min_len(ROWS_PER_TASK)
@@ -206,7 +207,7 @@ impl<const D: usize> Rates<D> {
         if self.scheme.body_force.is_some() {
             acceleration.iter_mut().for_each(|a| *a += body_force);
         }
-        self.walls.rest(&mut acceleration);
+        self.walls.keep(&mut acceleration);
         for force in &mut self.forces {
             force.accelerate(&mut self.pairs, particles, &mut acceleration);
         }

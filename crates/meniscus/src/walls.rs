@@ -232,10 +232,10 @@ impl<const D: usize> Walls<D> {
         }
     }
 
-    /// Drops what has accelerated walls so far without being exerted on them.
-    pub(crate) fn rest(&self, acceleration: &mut [Vector<f64, D>]) {
+    /// Takes the walls out of what moves, or accelerates, all particles.
+    pub(crate) fn keep(&self, column: &mut [Vector<f64, D>]) {
         for &row in &self.rows {
-            acceleration[row as usize] = Vector::ZERO;
+            column[row as usize] = Vector::ZERO;
         }
     }
 

@@ -1,5 +1,6 @@
-//! Semi-axes and energies over time, with theory beside them.
+//! Semi-axes, energies and loads on walls over time, with theory beside them.
 
+use meniscus::scheme::BodyForce;
 use meniscus_case::Case;
 use meniscus_output::Series;
 use meniscus_report::{Axis, Curve, Figure, LinePlot};
@@ -78,4 +79,33 @@ pub fn energies(case: &Case, series: &Series) -> Option<Figure> {
         }
     }
     Some(plot.figure("energies", &caption))
+}
+
+/// Forces on the walls.
+pub fn loads(case: &Case, series: &Series) -> Option<Figure> {
+    let time = series.column("time")?;
+    let unit = if case.dimension == 2 { "N/m" } else { "N" };
+    let mut plot = LinePlot::new(Axis::new("Time", "s"), Axis::new("Force on walls", unit));
+    let mut drawn = 0;
+    for wall in &case.walls {
+        for axis in &["x", "y", "z"][..case.dimension] {
+            let name = format!("{} force {axis}", wall.name);
+            if let Some(force) = series.column(&name) {
+                plot = plot.with(Curve::line(&format!("{} {axis}", wall.name), time, force));
+                drawn += 1;
+            }
+        }
+    }
+    let mass: f64 = case.bodies.iter().map(|body| body.mass).sum();
+    let mut caption = "Forces that the liquid exerts on walls.".to_owned();
+    if let Some(BodyForce::Constant(g)) = &case.scheme.body_force
+        && let [first, .., last] = time
+    {
+        for (axis, g) in ["x", "y", "z"].iter().zip(g).filter(|(_, g)| **g != 0.0) {
+            let name = format!("weight {axis}");
+            plot = plot.with(Curve::dashed(&name, &[*first, *last], &[mass * g; 2]));
+        }
+        caption = "Forces that the liquid exerts on walls, and its weight.".into();
+    }
+    (drawn > 0).then(|| plot.figure("loads", &caption))
 }

@@ -6,7 +6,7 @@ mod pictures;
 mod profile;
 
 use meniscus_case::Case;
-use meniscus_output::{FrameReader, RunFolder, Series};
+use meniscus_output::{Frame, FrameReader, RunFolder, Series};
 use meniscus_report::Figure;
 
 use crate::failure::Failure;
@@ -23,8 +23,15 @@ pub fn of(
     let mut figures = pictures::figures(case, &frames, measured)?;
     figures.extend(curves::axes(case, series, measured));
     figures.extend(curves::energies(case, series));
+    figures.extend(curves::loads(case, series));
     figures.extend(profile::figure(case, &frames, measured)?);
     Ok(figures)
+}
+
+/// Whether a particle of a frame is of a wall.
+fn walls(frame: &Frame) -> impl Fn(usize) -> bool {
+    let field = frame.fields.iter().find(|field| field.name == "wall");
+    move |i| field.is_some_and(|field| field.values[i] != 0.0)
 }
 
 /// The `count` indices of `times` nearest to evenly spaced instants from one

@@ -4,7 +4,7 @@ use meniscus_case::Case;
 use meniscus_output::{Frame, FrameReader};
 use meniscus_report::{Direction, Figure, ParticlePictures, Snapshot, View};
 
-use super::evenly;
+use super::{evenly, walls};
 use crate::failure::Failure;
 use crate::findings::Findings;
 
@@ -63,13 +63,22 @@ pub fn figures(
 
 fn pictures(case: &Case, frames: &[Frame], label: &str, unit: &str) -> ParticlePictures {
     let name = label.to_lowercase();
-    let snapshot = |frame: &Frame| Snapshot {
-        time: frame.time,
-        positions: frame.positions.clone(),
-        diameter: case.spacing,
-        values: (frame.fields.iter().find(|field| field.name == name))
-            .map(|field| field.values.clone())
-            .unwrap_or_default(),
+    let snapshot = |frame: &Frame| {
+        let field = frame.fields.iter().find(|field| field.name == name);
+        let mut values = field.map(|field| field.values.clone()).unwrap_or_default();
+        let is_wall = walls(frame);
+        for (i, value) in values.iter_mut().enumerate() {
+            if is_wall(i) {
+                // Drawn grey.
+                *value = f64::NAN;
+            }
+        }
+        Snapshot {
+            time: frame.time,
+            positions: frame.positions.clone(),
+            diameter: case.spacing,
+            values,
+        }
     };
     let empty = ParticlePictures::new(label, unit);
     (frames.iter().map(snapshot)).fold(empty, ParticlePictures::with)

@@ -6,7 +6,7 @@ use meniscus_case::Case;
 use meniscus_output::{Frame, FrameReader, OutputError};
 use meniscus_report::{Axis, Curve, Figure, LinePlot};
 
-use super::evenly;
+use super::{evenly, walls};
 use crate::findings::Findings;
 use crate::progress::seconds;
 
@@ -94,18 +94,19 @@ struct Cloud {
 
 impl Cloud {
     fn of(frame: &Frame) -> Self {
+        let is_wall = walls(frame);
+        let liquid: Vec<usize> = (0..frame.positions.len()).filter(|&i| !is_wall(i)).collect();
         let mut centre = Vector::<f64, 3>::ZERO;
-        for position in &frame.positions {
-            centre += Vector(*position) * (1.0 / frame.positions.len() as f64);
+        for &i in &liquid {
+            centre += Vector(frame.positions[i]) * (1.0 / liquid.len() as f64);
         }
         let pressure = frame.fields.iter().find(|field| field.name == "pressure");
+        let pressures = pressure.map(|field| liquid.iter().map(|&i| field.values[i]).collect());
         Self {
-            positions: (frame.positions.iter())
-                .map(|position| Vector(*position) - centre)
+            positions: (liquid.iter())
+                .map(|&i| Vector(frame.positions[i]) - centre)
                 .collect(),
-            pressure: pressure
-                .map(|field| field.values.clone())
-                .unwrap_or_default(),
+            pressure: pressures.unwrap_or_default(),
         }
     }
 }
