@@ -196,7 +196,7 @@ fn continuum(node: &mut Node<'_>) -> Continuum {
         threshold: fields.or(
             "threshold",
             "0.1",
-            "Normals shorter than this over h count as none; the paper has 0.01, which disorder upsets.",
+            "Normals shorter than this over h count as none; by \"normal-length\" it is taken off all.",
             |node| node.number(Sign::NotNegative),
         ),
         weighting: fields.or(

@@ -3,6 +3,7 @@
 //! the values of the kernels, layer by layer of a lattice.
 
 use meniscus::physics::surface_tension::continuum::{Calibration, Continuum, Correction};
+use meniscus::physics::surface_tension::curvature::Weighting;
 use meniscus::rates::{Dimension, Space};
 use meniscus::shape::Pattern;
 use meniscus::{Kernel, Simulation};
@@ -64,8 +65,10 @@ fn sum_of_normals(kernel: Kernel, h: f64, model: Continuum, two: bool, dimension
     };
     (-2 * reach..=2 * reach)
         .filter(|layer| exists(*layer))
-        .map(normal)
-        .filter(|length| *length >= model.threshold / h)
+        .map(|layer| match model.weighting {
+            Weighting::NormalLength => (normal(layer) - model.threshold / h).max(0.0),
+            Weighting::Volume => normal(layer),
+        })
         .sum()
 }
 

@@ -40,7 +40,7 @@ record! {
 pub enum Weighting {
     /// V
     Volume,
-    /// V |n|: most where the surface is, little deep below it
+    /// V |n|: most where the surface is, none where normals end
     NormalLength,
 }
 

@@ -92,7 +92,7 @@ impl Continuum {
             },
             Calibration::FlatLayer => {
                 self.find_normals(sweep, &layer.particles, surroundings, surface);
-                let shortest = self.threshold / surroundings.smoothing_length;
+                let shortest = self.shortest(surroundings);
                 let length = |i: usize| {
                     let length = surface.normal[i].norm();
                     if length >= shortest { length } else { 0.0 }

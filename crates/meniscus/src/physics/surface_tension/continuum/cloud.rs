@@ -43,7 +43,11 @@ impl<const D: usize> Cloud<D> {
             id,
         } = &mut self.particles;
         id.clear();
-        id.extend((0..all.len() as u32).filter(|&i| normal[i as usize].norm() >= shortest));
+        let reliable = |i: &u32| {
+            let length = normal[*i as usize].norm();
+            length >= shortest && length > 0.0
+        };
+        id.extend((0..all.len() as u32).filter(reliable));
         for vectors in [&mut *velocity, &mut *acceleration] {
             vectors.resize(id.len(), Vector::ZERO);
         }

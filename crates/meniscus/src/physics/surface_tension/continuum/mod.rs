@@ -28,10 +28,10 @@
 //! particles with N = 0 take no part, where the print counts their normals as zero and
 //! finds 1.77 / R.
 //!
-//! The defaults depart further, because sharp cuts between reliable and other
-//! normals let disorder in: with particles moved at random by up to 0.1 dx, a drop of 13 dx
-//! feels a net force of about sigma as printed. Weights |n| and a threshold of 0.1 / h bring that
-//! to 0.02 sigma, and the balanced form to zero.
+//! The defaults depart further, because the printed form takes the noise of a
+//! disordered inside for a surface. They weigh particles by |n|, less a threshold of
+//! 0.1 / h. Cut off there instead, particles would come and go with a force of
+//! their own, and work into a swinging drop.
 
 mod calibration;
 mod cloud;
@@ -73,7 +73,8 @@ pub struct Continuum {
     pub curvature: Correction,
     /// H / h, the smoothing length of curvature over that of all else.
     pub curvature_smoothing: f64,
-    /// Normals shorter than this over h count as none (eq. 16).
+    /// Normals shorter than this over h count as none (eq. 16); where weights go with length,
+    /// this much is taken off the length of all, so that no particle enters at a jump.
     pub threshold: f64,
     /// What the others weigh in the curvature of their neighbours.
     pub weighting: Weighting,
@@ -193,6 +194,21 @@ impl Continuum {
                 normal.extend(correctable.iter().map(Correctable::corrected));
             }
         }
+        if self.weighting == Weighting::NormalLength {
+            let shortest = self.threshold / surroundings.smoothing_length;
+            for n in normal.iter_mut() {
+                *n = *n * (1.0 - shortest / n.norm().max(f64::MIN_POSITIVE)).max(0.0);
+            }
+        }
+    }
+
+    /// Normals shorter than this count as none, 1/m.
+    fn shortest(&self, surroundings: Surroundings<'_>) -> f64 {
+        match self.weighting {
+            Weighting::Volume => self.threshold / surroundings.smoothing_length,
+            // What is taken off the length of all has left none.
+            Weighting::NormalLength => 0.0,
+        }
     }
 
     /// Eqs. 15 to 18: curvature of the surface, from that of the layer under it.
@@ -258,7 +274,7 @@ impl Continuum {
         acceleration: &mut [Vector<f64, D>],
     ) {
         let calibrated = surface.continuum.calibration.unwrap_or_default();
-        let shortest = self.threshold / surroundings.smoothing_length;
+        let shortest = self.shortest(surroundings);
         self.find_normals(sweep, particles, surroundings, surface);
         self.find_curvature(at_surface, particles, shortest, calibrated, surface);
         let factor =
