@@ -9,6 +9,7 @@
 use fearless_simd::Simd;
 
 use super::lane::{Lane, WIDTH};
+use super::level::{Every, Fused, InstructionSets};
 use super::narrow_lane::{NarrowLane, Places, Second};
 use crate::real::Real;
 use crate::vector::Vector;
@@ -30,6 +31,8 @@ pub enum Precision {
 pub(crate) trait Arithmetic: Copy + Sync {
     /// Neighbours that a cluster meets at once.
     const AT_ONCE: usize;
+    /// Those it is compiled for.
+    type InstructionSets: InstructionSets;
     /// One number of a packed record.
     type Packed: Copy + Default + Send + Sync;
     /// A quantity of each particle of a cluster.
@@ -73,6 +76,7 @@ pub(crate) struct Double;
 
 impl Arithmetic for Double {
     const AT_ONCE: usize = 1;
+    type InstructionSets = Every;
     type Packed = f64;
     type Lane<S: Simd> = Lane<S>;
     type Place<S: Simd> = Lane<S>;
@@ -144,6 +148,7 @@ impl Mixed {
 
 impl Arithmetic for Mixed {
     const AT_ONCE: usize = 2;
+    type InstructionSets = Fused;
     type Packed = u32;
     type Lane<S: Simd> = NarrowLane<S>;
     type Place<S: Simd> = Places<S>;

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::columns::{Columns, Entries};
 use super::lane::{Lane, WIDTH};
-use super::level::{WithSimd, with_simd};
+use super::level::{Every, InstructionSets, WithSimd};
 use crate::real::Real;
 
 /// Rows that one task works on: a whole number of clusters.
@@ -99,7 +99,8 @@ pub(crate) fn build<const D: usize>(
                 reach,
             },
         };
-        with_simd(level, task);
+        let done = Every::run(level, task);
+        debug_assert!(done.is_ok(), "every level is among all of them");
     });
 }
 

@@ -9,6 +9,7 @@
 //! - `records`: what a sweep reads, packed
 //! - `level`: work compiled for each instruction set
 //! - `sweep`: a term summed over the lists
+//! - `parallel`: loops on all threads
 //! - `buffer`: aligned scratch memory
 
 mod arithmetic;
@@ -19,6 +20,7 @@ mod lane;
 mod level;
 mod lists;
 mod narrow_lane;
+mod parallel;
 mod records;
 mod sweep;
 
@@ -32,6 +34,7 @@ use buffer::LineBuffer;
 use columns::Columns;
 use fearless_simd::Level;
 use images::Image;
+use level::{Widest, is_fused, is_widest};
 use lists::Chunk;
 use rayon::prelude::*;
 use records::stride;
@@ -141,9 +144,14 @@ impl<const D: usize> Pairs<D> {
         self.precision = precision;
     }
 
-    /// In what numbers the pairs are worked out.
+    /// In what numbers the pairs are worked out: in mixed precision only where
+    /// the instructions have at least AVX2, since without it nothing is gained.
     pub fn precision(&self) -> Precision {
-        self.precision
+        if is_fused(self.level) {
+            self.precision
+        } else {
+            Precision::Double
+        }
     }
 
     /// Sorts the particles and builds the lists anew.
@@ -255,7 +263,7 @@ impl<const D: usize> Sweep<D> for Pairs<D> {
         sums.resize(particles.len(), Record::read(&mut || 0.0));
         let count = particles.len() + self.sorted_images.len();
         let mut records = std::mem::take(&mut self.records);
-        match self.precision {
+        match self.precision() {
             Precision::Double => {
                 let packed = records.double.take(count * stride::<Double, T, D>());
                 self.sum_in(Double, term, particles, active, packed, sums);
@@ -284,12 +292,14 @@ impl<const D: usize> Pairs<D> {
         let records = records::pack(arithmetic, term, particles, images, packed);
         let kernel = ScaledKernel::new(self.kernel, self.smoothing_length, D);
         let (level, chunks) = (self.level, &self.chunks);
-        if self.kernel == Kernel::WendlandC2 {
+        if self.kernel == Kernel::WendlandC2 && is_widest(level) {
             // The default kernel is worth code of its own.
             let kernel = kernel.compiled::<WendlandC2>();
-            sweep::run(level, term, kernel, chunks, records, &active, sums);
+            sweep::run::<Widest, _, _, _, D>(level, term, kernel, chunks, records, &active, sums);
         } else {
-            sweep::run(level, term, kernel, chunks, records, &active, sums);
+            sweep::run::<N::InstructionSets, _, _, _, D>(
+                level, term, kernel, chunks, records, &active, sums,
+            );
         }
     }
 }

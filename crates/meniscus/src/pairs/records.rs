@@ -4,13 +4,15 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::arithmetic::Arithmetic;
 use super::images::Image;
 use super::lane::WIDTH;
+use super::parallel::for_each_part;
 use crate::particles::Particles;
 use crate::term::{PairTerm, Record};
+
+/// Rows, or images, that one task packs.
+const ROWS_PER_TASK: usize = 1024;
 
 /// Most numbers of a record.
 pub(crate) const MOST_REALS: usize = 64;
@@ -48,26 +50,25 @@ pub(crate) fn pack<'a, N: Arithmetic, T: PairTerm<D>, const D: usize>(
 ) -> Records<'a, N, T, D> {
     let stride = stride::<N, T, D>();
     let (own, shifted) = numbers.split_at_mut(particles.len() * stride);
-    own.par_chunks_exact_mut(stride)
-        .with_min_len(1024)
-        .enumerate()
-        .for_each(|(i, packed)| {
+    for_each_part(own, ROWS_PER_TASK * stride, &|part, own| {
+        let rows = part * ROWS_PER_TASK..;
+        for (packed, i) in own.chunks_exact_mut(stride).zip(rows) {
             arithmetic.pack_position(&particles.position[i], packed);
             let mut k = D;
             term.record(particles, i).write(&mut |value| {
                 packed[k] = N::pack(value);
                 k += 1;
             });
-        });
-    shifted
-        .par_chunks_exact_mut(stride)
-        .with_min_len(1024)
-        .zip(images)
-        .for_each(|(packed, image)| {
+        }
+    });
+    for_each_part(shifted, ROWS_PER_TASK * stride, &|part, shifted| {
+        let images = &images[part * ROWS_PER_TASK..];
+        for (packed, image) in shifted.chunks_exact_mut(stride).zip(images) {
             let source = image.source as usize;
             packed.copy_from_slice(&own[source * stride..][..stride]);
             arithmetic.pack_position(&(particles.position[source] + image.shift), packed);
-        });
+        }
+    });
     Records {
         arithmetic,
         numbers,

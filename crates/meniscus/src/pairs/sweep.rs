@@ -7,13 +7,13 @@
 use std::ops::Range;
 
 use fearless_simd::{Level, Simd};
-use rayon::prelude::*;
 
 use super::arithmetic::Arithmetic;
 use super::columns::PADDING;
 use super::lane::WIDTH;
-use super::level::{WithSimd, with_simd};
+use super::level::{InstructionSets, WithSimd};
 use super::lists::{Chunk, ROWS_PER_CHUNK};
+use super::parallel::for_each_part;
 use super::records::Records;
 use crate::term::{Approach, PairTerm, Record, ScaledKernel, Shape};
 use crate::vector::Vector;
@@ -25,8 +25,8 @@ const WINDOW: usize = PREFETCH_AHEAD + 2;
 const _: () = assert!(WINDOW + 2 <= PADDING);
 
 /// Sums `term` for the rows of every cluster for which `active` holds; the
-/// others get zero. `records` holds the rows, then the images.
-pub(crate) fn run<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize>(
+/// others get zero, with instructions that `level` must have. `records` holds the rows, then the images.
+pub(crate) fn run<I: InstructionSets, N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize>(
     level: Level,
     term: &T,
     kernel: ScaledKernel<Q>,
@@ -35,23 +35,21 @@ pub(crate) fn run<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize>(
     active: &(impl Fn(Range<usize>) -> bool + Sync),
     sums: &mut [T::Sum<f64>],
 ) {
-    sums.par_chunks_mut(ROWS_PER_CHUNK)
-        .zip(chunks)
-        .enumerate()
-        .for_each(|(c, (sums, chunk))| {
-            let first = c * ROWS_PER_CHUNK;
-            assert!(chunk.bound().max(first + sums.len()) <= records.len());
-            let task = Task {
-                term,
-                kernel,
-                chunk,
-                records,
-                active,
-                first,
-                sums,
-            };
-            with_simd(level, task);
-        });
+    for_each_part(sums, ROWS_PER_CHUNK, &|c, sums| {
+        let (chunk, first) = (&chunks[c], c * ROWS_PER_CHUNK);
+        assert!(chunk.bound().max(first + sums.len()) <= records.len());
+        let task = Task {
+            term,
+            kernel,
+            chunk,
+            records,
+            active,
+            first,
+            sums,
+        };
+        let done = I::run(level, task);
+        debug_assert!(done.is_ok(), "the caller has looked at the level");
+    });
 }
 
 struct Task<'a, N: Arithmetic, Q, T: PairTerm<D>, A, const D: usize> {
