@@ -28,7 +28,7 @@ pub struct Memory {
     pub particles: usize,
     /// Held while the flow runs.
     pub held: f64,
-    /// At most, that is at the start, with the particles as they were set up.
+    /// At most, since the flow was set up.
     pub peak: f64,
     /// Of that held: neighbour lists and what sweeps pack.
     pub lists: f64,

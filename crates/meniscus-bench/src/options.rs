@@ -1,6 +1,6 @@
 //! What to measure, and how long.
 
-use meniscus::pairs::Instructions;
+use meniscus::pairs::{Instructions, Precision};
 
 use crate::variant::Variant;
 
@@ -40,9 +40,9 @@ impl Effort {
     /// For figures to keep.
     pub const FULL: Effort = Effort {
         sample: 0.01,
-        samples: 11,
-        fewest: 5,
-        budget: 4.0,
+        samples: 9,
+        fewest: 3,
+        budget: 2.5,
         triad: 32 << 20,
         splash: 8000,
     };
@@ -51,7 +51,7 @@ impl Effort {
         sample: 0.004,
         samples: 5,
         fewest: 3,
-        budget: 0.6,
+        budget: 0.4,
         triad: 16 << 20,
         splash: 3000,
     };
@@ -64,9 +64,12 @@ impl Options {
             dimensions: vec![2, 3],
             sizes: vec![10_000, 125_000, 1_000_000],
             threads: up_to(threads),
-            variants: vec![Variant {
-                instructions: Instructions::Best,
-            }],
+            variants: [Precision::Double, Precision::Mixed]
+                .map(|precision| Variant {
+                    precision,
+                    instructions: Instructions::Best,
+                })
+                .to_vec(),
             effort: Effort::FULL,
         }
     }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use meniscus::kernel::WendlandC2;
-use meniscus::pairs::Pairs;
+use meniscus::pairs::{Pairs, Precision};
 use meniscus::physics::continuity::Continuity;
 use meniscus::physics::momentum::{Momentum, OneFluid, OverDensitySquared};
 use meniscus::physics::surface_tension::curvature::{Curvature, Weighting};
@@ -55,7 +55,7 @@ pub struct PairCost {
     pub flops: u32,
     /// Minima, maxima, comparisons, which count for nothing.
     pub other_operations: u32,
-    /// Flops of true pairs over those of the FMA peak of as many threads.
+    /// Flops of true pairs over those of the FMA peak of as many threads, in f64 or, mixed, in f32.
     pub share_of_peak: f64,
 }
 
@@ -137,8 +137,9 @@ where
         shortest,
         weighting: Weighting::Volume,
     };
-    let pairs_near_surface = AtomicUsize::new(0);
+    let (pairs_near_surface, clusters) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let counted = |rows: Range<usize>| {
+        clusters.fetch_add(1, Ordering::Relaxed);
         let active = near_surface(rows.clone());
         if active {
             pairs_near_surface.fetch_add(yardstick.pairs(rows), Ordering::Relaxed);
@@ -176,18 +177,18 @@ where
                 name: subject.name,
                 threads: crew.threads,
                 cost,
-                pair: (subject.formula).map(|formula| of(cost, formula, n, peak)),
+                pair: (subject.formula).map(|formula| of(cost, formula, n, variant, peak)),
                 speed_up: samples[0].wall_over(own),
             });
         }
     }
     drop(subjects);
-    let clusters_times_width = n as f64;
+    let lanes = (clusters.into_inner() * pairs.cluster_width()) as f64;
     Ok(Still {
         difference_from_yardstick: difference(&yardstick, &rates, &accelerations),
         neighbours: all_pairs as f64 / n as f64,
         skin,
-        lane_use: all_pairs as f64 / (pairs.entries_per_cluster() * clusters_times_width),
+        lane_use: all_pairs as f64 / (pairs.entries_per_cluster() * lanes),
         yardstick: paces,
         sweeps,
     })
@@ -301,15 +302,20 @@ fn of(
     cost: Cost,
     (operations, pairs): (Operations, usize),
     particles: usize,
+    variant: Variant,
     peak: &Peak,
 ) -> PairCost {
     let nanoseconds = cost.nanoseconds * particles as f64 / pairs as f64;
     let gigaflops = f64::from(operations.flops) / nanoseconds;
+    let most = match variant.precision {
+        Precision::Double => peak.gigaflops_f64,
+        Precision::Mixed => peak.gigaflops_f32,
+    };
     PairCost {
         nanoseconds,
         rate: 1e9 / nanoseconds,
         flops: operations.flops,
         other_operations: operations.others,
-        share_of_peak: gigaflops / peak.gigaflops_f64,
+        share_of_peak: gigaflops / most,
     }
 }

@@ -125,12 +125,10 @@ impl Book<'_> {
         let splash = slowdown(Arrangement::Splash, size);
         let what = named("splash slower than lattice");
         add(what, "% at most", 25.0, false, worst(splash));
-        if let Some(memory) = (self.findings.memory.iter())
-            .find(|memory| memory.variant.precision == self.precision && memory.dimension == 3)
-        {
-            let what = format!("3D memory all told, {} particles", memory.particles);
-            add(what, "B/particle", 400.0, false, Some(memory.held));
-        }
+        let memory = (self.findings.memory.iter())
+            .find(|memory| memory.variant.precision == self.precision && memory.dimension == 3);
+        let what = "3D memory all told".to_owned();
+        add(what, "B/particle", 400.0, false, memory.map(|m| m.held));
         let threads = named("2 threads against 1, the least of all whole steps");
         add(threads, "times", 1.9, true, self.two_threads(size));
     }

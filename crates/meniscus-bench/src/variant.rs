@@ -1,12 +1,13 @@
 //! The ways of the engine that are measured beside one another.
 
-use meniscus::Simulation;
-use meniscus::pairs::{Instructions, Pairs};
+use meniscus::pairs::{Instructions, Pairs, Precision};
 use serde::Serialize;
 
 /// Precision and instructions of the sweeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Variant {
+    /// Precision.
+    pub precision: Precision,
     /// Instructions.
     pub instructions: Instructions,
 }
@@ -14,7 +15,7 @@ pub struct Variant {
 /// Its name in tables and JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct VariantName {
-    /// "double".
+    /// "double" or "mixed".
     pub precision: &'static str,
     /// "best", "avx2" or "portable".
     pub instructions: &'static str,
@@ -24,7 +25,10 @@ impl Variant {
     /// Its name.
     pub fn name(self) -> VariantName {
         VariantName {
-            precision: "double",
+            precision: match self.precision {
+                Precision::Double => "double",
+                Precision::Mixed => "mixed",
+            },
             instructions: match self.instructions {
                 Instructions::Best => "best",
                 Instructions::Avx2 => "avx2",
@@ -35,11 +39,7 @@ impl Variant {
 
     /// Sets pairs to it.
     pub fn apply<const D: usize>(self, pairs: &mut Pairs<D>) {
+        pairs.set_precision(self.precision);
         pairs.set_instructions(self.instructions);
-    }
-
-    /// Sets a simulation to it.
-    pub fn apply_to<const D: usize>(self, simulation: &mut Simulation<D>) {
-        simulation.set_instructions(self.instructions);
     }
 }

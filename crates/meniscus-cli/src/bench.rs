@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
-use meniscus::pairs::Instructions;
+use meniscus::pairs::{Instructions, Precision};
 use meniscus_bench::BenchError;
 use meniscus_bench::options::{Effort, Options, particle_count};
 use serde::Serialize;
@@ -27,6 +27,9 @@ pub struct What {
     /// Only this dimension.
     #[arg(long, value_parser = clap::value_parser!(u8).range(2..=3))]
     dimension: Option<u8>,
+    /// Only this precision.
+    #[arg(long)]
+    precision: Option<Numbers>,
     /// Instructions that the engine may use.
     #[arg(long, default_value = "best")]
     instructions: Allowed,
@@ -50,6 +53,14 @@ enum Allowed {
     Avx2,
     /// What every processor of the architecture has.
     Portable,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Numbers {
+    /// f64 throughout.
+    Double,
+    /// State in f64, pairs in f32.
+    Mixed,
 }
 
 impl From<BenchError> for Failure {
@@ -91,6 +102,15 @@ impl What {
         }
         if let Some(dimension) = self.dimension {
             options.dimensions = vec![dimension.into()];
+        }
+        if let Some(numbers) = self.precision {
+            let wanted = match numbers {
+                Numbers::Double => Precision::Double,
+                Numbers::Mixed => Precision::Mixed,
+            };
+            options
+                .variants
+                .retain(|variant| variant.precision == wanted);
         }
         for variant in &mut options.variants {
             variant.instructions = match self.instructions {

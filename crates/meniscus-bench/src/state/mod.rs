@@ -124,13 +124,16 @@ where
     /// None that this crate can cause.
     pub fn simulation(&self, flow: Flow, variant: Variant) -> Result<Simulation<D>, BenchError> {
         let mut simulation = Simulation::new(Setup {
-            scheme: scheme::<D>(flow),
+            scheme: Scheme {
+                precision: variant.precision,
+                ..scheme::<D>(flow)
+            },
             fluids: vec![fluid(flow)],
             particles: self.particles.clone(),
             spacing: 1.0,
             domain: Domain::default(),
         })?;
-        variant.apply_to(&mut simulation);
+        simulation.set_instructions(variant.instructions);
         Ok(simulation)
     }
 }

@@ -82,7 +82,7 @@ fn machine(machine: &Machine) -> String {
 fn memory(memory: &Memory) -> String {
     format!(
         "memory of {} particles in {}D with surface force, {}: {} B/particle while it runs, \
-         {} of them lists and packed records; {} at most, at the start",
+         {} of them lists and packed records; {} at most since it was set up",
         memory.particles,
         memory.dimension,
         memory.variant.precision,
