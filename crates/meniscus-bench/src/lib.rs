@@ -183,13 +183,14 @@ where
     };
     let largest_size = options.sizes.iter().copied().max().unwrap_or(0);
     let tile_size = options.effort.splash.min(largest_size);
-    progress(&format!("{D}D: marching a splash"));
+    progress(&format!("{D}D, marching a splash"));
     let tile = largest.work(|| Tile::<D>::march(tile_size))?;
     findings.splashes.push(format!("{D}D: {}", tile.story()));
     for &size in &options.sizes {
         for state in [State::lattice(size), State::splash(&tile, size)] {
             for &variant in &options.variants {
-                let what = format!("{D}D: {size} particles, {}", state.arrangement.name());
+                let (name, precision) = (state.arrangement.name(), variant.name().precision);
+                let what = format!("{D}D, {size} particles, {name}, {precision}");
                 progress(&format!("{what}: sweeps"));
                 let effort = options.effort;
                 let still = sweeps::measure(&state, variant, crews, &findings.peaks, effort)?;

@@ -40,7 +40,7 @@ fn a_run_has_all_that_is_promised() {
     let findings = meniscus_bench::run(&small(), &mut |line| said.push(line.to_owned())).unwrap();
     assert!(
         said.iter()
-            .any(|line| line == "3D: 500 particles, splash: steps, surface force")
+            .any(|line| line == "3D, 500 particles, splash, mixed: steps, surface force")
     );
 
     let json = serde_json::to_value(&findings).unwrap();
