@@ -48,9 +48,9 @@ where
 fn a_drop_alone_has_the_pressure_of_laplace() {
     for (radius, jitter) in [(13.4, 0.0), (13.4, 0.1), (24.95, 0.0)] {
         let found = alone::<2>(radius, jitter);
-        // The curvature's error, and a few per cent of a lattice on its way to rings.
+        // The force acts in a layer about h thick: what is too much is of the order h / R.
         assert!(
-            (found - 1.0).abs() < 0.08,
+            (found - 1.0).abs() < 1.2 * 2.0 / radius,
             "R = {radius} dx, jitter {jitter}: {found}"
         );
     }

@@ -118,11 +118,18 @@ impl<const D: usize> PairTerm<D> for CorrectedGradient<'_> {
 }
 
 impl<const D: usize> Correctable<f64, D> {
-    /// A^-1 times the gradient.
+    /// A^-1 times the gradient; less where so few neighbours are left, as about a particle
+    /// thrown out, that it would be mostly correction.
     pub fn corrected(&self) -> Vector<f64, D> {
-        self.matrix.inverse(LEAST_MATRIX).times(&self.gradient)
+        let filling = self.matrix.trace() / D as f64;
+        let trust = (filling / LEAST_FILLING).min(1.0);
+        self.matrix.inverse(LEAST_MATRIX).times(&self.gradient) * trust
     }
 }
+
+/// Mean of A's eigenvalues from which on a corrected gradient is trusted: 1 inside,
+/// 1/2 at a plane surface, 1/4 at a corner of a square, 1/8 of a cube.
+const LEAST_FILLING: f64 = 0.1;
 
 /// How round A must be to be inverted, see [`Matrix::inverse`]: 1 inside and at a
 /// plane surface, 0.77 at a corner of a square, 0 for particles on a line.

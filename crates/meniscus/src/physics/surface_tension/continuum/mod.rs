@@ -123,6 +123,10 @@ pub(super) struct Scratch<const D: usize> {
     pub(super) calibration: Option<Calibrated>,
 }
 
+/// Largest curvature that a layer of particles can show, as (D - 1) / h: that of a thread or
+/// drop of a smoothing length across. What is more is of particles on their own.
+const SHARPEST: f64 = 2.0;
+
 /// What the model acts in.
 #[derive(Clone, Copy, Debug)]
 pub struct Surroundings<'a> {
@@ -277,6 +281,10 @@ impl Continuum {
         let shortest = self.shortest(surroundings);
         self.find_normals(sweep, particles, surroundings, surface);
         self.find_curvature(at_surface, particles, shortest, calibrated, surface);
+        let sharpest = SHARPEST * (D as f64 - 1.0) / surroundings.smoothing_length;
+        for curvature in &mut surface.curvature {
+            *curvature = curvature.clamp(-sharpest, sharpest);
+        }
         let factor =
             |i: usize| calibrated.strength * surroundings.surface_tension(particles.fluid[i]);
         match self.form {
