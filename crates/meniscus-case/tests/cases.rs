@@ -31,7 +31,7 @@ fn good() -> Vec<PathBuf> {
 fn assert_same(a: &Case, b: &Case) {
     assert_eq!(a.scheme, b.scheme);
     assert_eq!(a.fluids, b.fluids);
-    assert_eq!(a.bodies, b.bodies);
+    assert_eq!((&a.bodies, &a.walls), (&b.bodies, &b.walls));
     assert_eq!(a.particles::<3>(), b.particles::<3>());
     assert_eq!(
         (a.spacing, a.end_time, a.periodic),
@@ -55,6 +55,7 @@ fn good_cases_are_read_without_a_warning() {
         assert_eq!(
             case.particle_count(),
             case.bodies.iter().map(|body| body.particles).sum::<usize>()
+                + case.walls.iter().map(|wall| wall.particles).sum::<usize>()
         );
     }
 }

@@ -89,7 +89,10 @@ fn what(case: &Case, lines: &mut Vec<String>) {
         lines.push(line(&body.name, &text));
     }
     for wall in &case.walls {
-        lines.push(line(&wall.name, &format!("{} particles of wall", wall.particles)));
+        lines.push(line(
+            &wall.name,
+            &format!("{} particles of wall", wall.particles),
+        ));
     }
     let text = format!(
         "{} in {}D, {} apart",

@@ -178,9 +178,11 @@ impl<const D: usize> Walls<D> {
                 let moved = self.moved(particles, row, time);
                 let pull = gravity - moved.map_or(Vector::ZERO, |moved| moved.acceleration);
                 pressure = (sum.pressure + pull.dot(&sum.head)) / sum.weight;
-                let nearby = sum.velocity * (1.0 / sum.weight);
+                let share = 1.0 / sum.weight;
+                let wall = self.wall_of(particles, row).map(|wall| &self.walls[wall]);
+                let shear = wall.map_or(Vector::ZERO, |wall| wall.motion.shear(sum.arm * share));
                 let v = &mut particles.velocity[row];
-                *v = *v * 2.0 - nearby;
+                *v = *v * 2.0 - shear - sum.velocity * share;
             }
             particles.pressure[row] = pressure;
             particles.density[row] = own.density(pressure);

@@ -95,7 +95,9 @@ struct Cloud {
 impl Cloud {
     fn of(frame: &Frame) -> Self {
         let is_wall = walls(frame);
-        let liquid: Vec<usize> = (0..frame.positions.len()).filter(|&i| !is_wall(i)).collect();
+        let liquid: Vec<usize> = (0..frame.positions.len())
+            .filter(|&i| !is_wall(i))
+            .collect();
         let mut centre = Vector::<f64, 3>::ZERO;
         for &i in &liquid {
             centre += Vector(frame.positions[i]) * (1.0 / liquid.len() as f64);

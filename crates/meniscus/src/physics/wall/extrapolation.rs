@@ -36,6 +36,8 @@ record! {
         pressure: R,
         /// sum rho x_wf W
         head: Vector<R, D>,
+        /// sum x_wf W
+        arm: Vector<R, D>,
         /// sum v W
         velocity: Vector<R, D>,
     }
@@ -67,6 +69,7 @@ impl<const D: usize> PairTerm<D> for Extrapolation<'_> {
         sum.weight = sum.weight + j.weight * ij.w;
         sum.pressure = sum.pressure + j.pressure * ij.w;
         sum.head += ij.offset * (j.density * ij.w);
+        sum.arm += ij.offset * (j.weight * ij.w);
         sum.velocity += j.velocity * ij.w;
     }
 }

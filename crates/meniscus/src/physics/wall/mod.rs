@@ -8,7 +8,10 @@
 //!
 //! - eq. 27  p_w = (sum_f p_f W_wf + (g - a_w) . sum_f rho_f x_wf W_wf) / sum_f W_wf
 //! - eq. 28  rho_w from p_w by the equation of state
-//! - eq. 22, 23  v = 2 v_w - sum_f v_f W_wf / sum_f W_wf, seen by viscous forces, no slip
+//! - eq. 22, 23  v = v_w - sum_f (v_f - v_w(x_f)) W_wf / sum_f W_wf, seen by viscous forces, no slip
+//!
+//! where v_w(x_f) is the velocity that the wall would have at the fluid's place, which the paper takes for
+//! that of the wall particle: the same, unless the wall turns.
 //!
 //! A wall with free slip takes no part in viscous forces. The equation of continuity sees the
 //! wall's own velocity v_w. Forces between two wall particles do not exist ([`Walled`]), those

@@ -91,21 +91,29 @@ impl Motion {
                 let rate = if D == 2 { omega[2].abs() } else { omega.norm() };
                 let turn = Rotation::<D>::about(omega, rate * time);
                 let arm = turn.apply(&(start - centre));
-                let across = |arm: Vector<f64, D>| {
-                    let (w, r) = (angular_velocity, arm.to_3d());
-                    let planar = if D == 2 { 0.0 } else { 1.0 };
-                    Vector::<f64, D>::from_3d([
-                        planar * w[1] * r[2] - w[2] * r[1],
-                        w[2] * r[0] - planar * w[0] * r[2],
-                        planar * (w[0] * r[1] - w[1] * r[0]),
-                    ])
-                };
                 moved.position = centre + arm;
-                moved.velocity = across(arm);
-                moved.acceleration = across(moved.velocity);
+                moved.velocity = self.shear(arm);
+                moved.acceleration = self.shear(moved.velocity);
             }
         }
         moved
+    }
+
+    /// How much faster, m/s, the wall moves at one of its points than at another, with `arm`,
+    /// m, from the other to the one.
+    pub fn shear<const D: usize>(&self, arm: Vector<f64, D>) -> Vector<f64, D> {
+        let Motion::Rotation {
+            angular_velocity, ..
+        } = self
+        else {
+            return Vector::ZERO;
+        };
+        let [x, y, z] = arm.to_3d();
+        let [mut a, mut b, c] = *angular_velocity;
+        if D == 2 {
+            (a, b) = (0.0, 0.0);
+        }
+        Vector::from_3d([b * z - c * y, c * x - a * z, a * y - b * x])
     }
 
     /// Whether all its numbers are finite.

@@ -1,0 +1,78 @@
+//! A liquid at rest in a tank.
+
+use meniscus::rates::{Dimension, Space};
+use meniscus::scheme::{BodyForce, PressureForm, Scheme};
+use meniscus::{Fluid, Simulation, Vector};
+
+use crate::setups::tank;
+
+const DEPTH: f64 = 1.0;
+const GRAVITY: f64 = 9.81;
+
+/// A tank of a liquid of this density, one across and 1.25 high, after it has come to rest.
+fn at_rest<const D: usize>(spacing: f64, density: f64, time: f64) -> Simulation<D>
+where
+    Space: Dimension<D>,
+{
+    let mut liquid = Fluid::new("liquid", density);
+    liquid.sound_speed = 10.0 * (GRAVITY * DEPTH).sqrt();
+    let mut scheme = Scheme::new(2.0 * spacing);
+    scheme.pressure = PressureForm::OverDensityProduct;
+    let mut down = [0.0; 3];
+    down[D - 1] = -GRAVITY;
+    scheme.body_force = Some(BodyForce::Constant(down));
+    scheme.damping = 10.0;
+    let setup = tank::<D>(1.0, 1.25, DEPTH, spacing, scheme, liquid);
+    let mut simulation = Simulation::new(setup).unwrap();
+    simulation.advance_to(time).unwrap();
+    simulation
+}
+
+/// The largest difference of pressure from the weight above, over that of the whole depth.
+fn worst<const D: usize>(simulation: &Simulation<D>, density: f64) -> f64 {
+    let p = simulation.particles();
+    let weight = density * GRAVITY;
+    (0..p.len())
+        .filter(|&i| !simulation.is_wall(p.body[i]))
+        .map(|i| p.pressure[i] - weight * (DEPTH - p.position[i][D - 1]))
+        .fold(0.0, |worst: f64, error| worst.max(error.abs()))
+        / (weight * DEPTH)
+}
+
+#[test]
+fn pressure_is_the_weight_of_what_lies_above_also_in_corners() {
+    for density in [1.0, 1000.0] {
+        let simulation = at_rest::<2>(0.04, density, 2.5);
+        let error = worst(&simulation, density);
+        assert!(error < 0.02, "{error}");
+        // The tank carries the weight, a bottom of length 1 in the middle; what moves still,
+        // at less than 1e-4 of the speed of sound, is a thousandth of it.
+        let load = simulation.wall_loads()[0];
+        let weight = density * GRAVITY * DEPTH;
+        assert!((load.force[1] / -weight - 1.0).abs() < 1e-3, "{load:?}");
+        assert!(
+            (load.moment[2] / (-0.5 * weight) - 1.0).abs() < 1e-3,
+            "{load:?}"
+        );
+        assert!(load.force[0].abs() < 1e-3 * weight, "{load:?}");
+        // The liquid stays: none has left its tank or climbed.
+        let p = simulation.particles();
+        for i in (0..p.len()).filter(|&i| !simulation.is_wall(p.body[i])) {
+            let Vector([x, y]) = p.position[i];
+            assert!((0.0..1.0).contains(&x) && (0.0..DEPTH).contains(&y));
+        }
+    }
+}
+
+#[test]
+fn a_tank_in_three_dimensions_carries_its_liquid() {
+    let simulation = at_rest::<3>(0.1, 1000.0, 2.0);
+    let error = worst(&simulation, 1000.0);
+    // Ten particles deep: a spacing's head, by which neighbours at the edges differ, is 10 %.
+    assert!(error < 0.12, "{error}");
+    let load = simulation.wall_loads()[0].force[2];
+    assert!(
+        (load / (-1000.0 * GRAVITY * DEPTH) - 1.0).abs() < 1e-3,
+        "{load}"
+    );
+}

@@ -1,0 +1,12 @@
+//! Flows between walls, against what is known of them.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod budget;
+mod channel;
+mod hydrostatics;
+mod layout;
+mod march;
+mod piston;
+mod setups;
