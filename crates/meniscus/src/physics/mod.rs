@@ -5,7 +5,7 @@
 //! - [`momentum`]: pressure gradient and viscous force
 //! - [`viscosity`]: artificial and laminar; [`viscous_stress`]: laminar, in two sweeps
 //! - [`body_force`]: gravity and shaken frames
-//! - [`velocity_smoothing`]: XSPH
+//! - [`velocity_smoothing`]: motion smoothed by XSPH
 //! - [`surface_tension`]: one file per model
 //! - [`wall`]: solid walls of dummy particles
 
