@@ -66,9 +66,10 @@ pub struct Still {
     pub neighbours: f64,
     /// How far lists reach beyond the support, spacings: as the running flow chose.
     pub skin: f64,
-    /// Largest difference of the engine's continuity and momentum from the yardstick's,
-    /// over the largest value.
-    pub difference_from_yardstick: f64,
+    /// Largest difference of the engine's continuity from the yardstick's, over the largest value.
+    pub difference_of_continuity: f64,
+    /// The same of momentum.
+    pub difference_of_momentum: f64,
     /// Pairs of true neighbours over lanes that were worked on.
     pub lane_use: f64,
     /// The yardstick's continuity and momentum for each crew, ns/particle.
@@ -183,9 +184,12 @@ where
         }
     }
     drop(subjects);
+    let (difference_of_continuity, difference_of_momentum) =
+        differences(&yardstick, &rates, &accelerations);
     let lanes = (clusters.into_inner() * pairs.cluster_width()) as f64;
     Ok(Still {
-        difference_from_yardstick: difference(&yardstick, &rates, &accelerations),
+        difference_of_continuity,
+        difference_of_momentum,
         neighbours: all_pairs as f64 / n as f64,
         skin,
         lane_use: all_pairs as f64 / (pairs.entries_per_cluster() * lanes),
@@ -236,13 +240,13 @@ fn everywhere() -> Active<'static> {
     &|_| true
 }
 
-/// The largest difference of continuity and momentum from the yardstick's,
-/// over the largest value of either.
-fn difference<const D: usize>(
+/// The largest difference of continuity from the yardstick's over the largest
+/// value, and that of momentum.
+fn differences<const D: usize>(
     yardstick: &Yardstick<D>,
     rates: &[f64],
     accelerations: &[Vector<f64, D>],
-) -> f64 {
+) -> (f64, f64) {
     let mut own_rates = vec![0.0; rates.len()];
     yardstick.continuity(0, &mut own_rates);
     let mut own_accelerations = vec![Vector::ZERO; accelerations.len()];
@@ -253,7 +257,7 @@ fn difference<const D: usize>(
     let pairs = accelerations.iter().zip(&own_accelerations);
     let of_accelerations = largest(&mut pairs.map(|(a, b)| (*a - *b).norm()))
         / largest(&mut own_accelerations.iter().map(Vector::norm));
-    of_rates.max(of_accelerations)
+    (of_rates, of_accelerations)
 }
 
 /// Samples of each subject on each crew, in turn with the yardstick.

@@ -73,7 +73,12 @@ fn a_run_has_all_that_is_promised() {
             Some("mixed") => 6e-6,
             _ => 1e-13,
         };
-        assert!(still["difference_from_yardstick"].as_f64().unwrap() < rounding);
+        for difference in ["difference_of_continuity", "difference_of_momentum"] {
+            assert!(
+                still[difference].as_f64().unwrap() < rounding,
+                "{difference}: {still}"
+            );
+        }
         // Lists and six sweeps, a surface force and none, on one thread and on two.
         assert_eq!(still["sweeps"].as_array().unwrap().len(), 14);
         assert_eq!(costs["steps"].as_array().unwrap().len(), 4);

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use meniscus_bench::scaling::Scaling;
-use meniscus_report::{Axis, Curve, FigureError, LinePlot, Scale};
+use meniscus_bench::scaling::{Scaling, ScalingCurve};
+use meniscus_report::{Axis, Curve, FigureError, LinePlot, PALETTE, Scale};
 
 use super::tables::name_of;
 use crate::failure::Failure;
@@ -30,7 +30,16 @@ pub fn write(scaling: &Scaling, folder: &Path) -> Result<(), Failure> {
         let seconds: Vec<f64> = (curve.points.iter())
             .map(|point| 1e-9 * point.cost.nanoseconds)
             .collect();
-        plot = plot.with(Curve::line(&name, &particles, &seconds));
+        // The same colour for the same flow, whatever the precision.
+        let same_flow = |c: &ScalingCurve| (c.dimension, c.flow) == (curve.dimension, curve.flow);
+        let first = (scaling.curves.iter())
+            .position(|c| same_flow(c))
+            .unwrap_or(0);
+        let drawn = match curve.variant.precision {
+            "mixed" => Curve::points(&name, &particles, &seconds),
+            _ => Curve::line(&name, &particles, &seconds),
+        };
+        plot = plot.with(drawn.colour(PALETTE[first % PALETTE.len()]));
         for point in &curve.points {
             let cost = point.cost;
             numbers.push_str(&format!(

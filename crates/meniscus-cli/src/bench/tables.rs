@@ -196,12 +196,13 @@ fn sweeps(costs: &Costs) -> String {
     ];
     format!(
         "{}: {} neighbours, {} % of the lanes used, skin {} spacings, \
-         {} from the yardstick\n{}",
+         within {} (continuity) and {} (momentum) of the yardstick\n{}",
         title(costs),
         significant(still.neighbours, 3),
         significant(100.0 * still.lane_use, 3),
         significant(still.skin, 2),
-        significant(still.difference_from_yardstick, 2),
+        significant(still.difference_of_continuity, 2),
+        significant(still.difference_of_momentum, 2),
         table(&header, &rows)
     )
 }
