@@ -113,7 +113,7 @@ impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, N, Q, 
         let entries = &self.chunk.entries().padded()[list.start..][..list.len() + PADDING];
         let nobody = records.out_of_reach(rows.start);
         // Where the last neighbour has no partner.
-        let lonely = if list.len() % N::AT_ONCE == 0 {
+        let lonely = if list.len().is_multiple_of(N::AT_ONCE) {
             usize::MAX
         } else {
             list.len() - 1
