@@ -32,9 +32,7 @@ pub fn write(scaling: &Scaling, folder: &Path) -> Result<(), Failure> {
             .collect();
         // The same colour for the same flow, whatever the precision.
         let same_flow = |c: &ScalingCurve| (c.dimension, c.flow) == (curve.dimension, curve.flow);
-        let first = (scaling.curves.iter())
-            .position(|c| same_flow(c))
-            .unwrap_or(0);
+        let first = (scaling.curves.iter()).position(same_flow).unwrap_or(0);
         let drawn = match curve.variant.precision {
             "mixed" => Curve::points(&name, &particles, &seconds),
             _ => Curve::line(&name, &particles, &seconds),

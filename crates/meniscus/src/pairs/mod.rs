@@ -266,12 +266,12 @@ impl<const D: usize> Sweep<D> for Pairs<D> {
         match self.precision() {
             Precision::Double => {
                 let packed = records.double.take(count * stride::<Double, T, D>());
-                self.sum_in(Double, term, particles, active, packed, sums);
+                self.sum_in(Double, term, particles, &active, packed, sums);
             }
             Precision::Mixed => {
                 let packed = records.mixed.take(count * stride::<Mixed, T, D>());
                 let arithmetic = Mixed::new(self.support.max(self.skin));
-                self.sum_in(arithmetic, term, particles, active, packed, sums);
+                self.sum_in(arithmetic, term, particles, &active, packed, sums);
             }
         }
         self.records = records;
@@ -284,7 +284,7 @@ impl<const D: usize> Pairs<D> {
         arithmetic: N,
         term: &T,
         particles: &Particles<D>,
-        active: impl Fn(Range<usize>) -> bool + Sync,
+        active: Active<'_>,
         packed: &mut [N::Packed],
         sums: &mut [T::Sum<f64>],
     ) {
@@ -295,14 +295,18 @@ impl<const D: usize> Pairs<D> {
         if self.kernel == Kernel::WendlandC2 && is_widest(level) {
             // The default kernel is worth code of its own.
             let kernel = kernel.compiled::<WendlandC2>();
-            sweep::run::<Widest, _, _, _, D>(level, term, kernel, chunks, records, &active, sums);
+            sweep::run::<Widest, _, _, _, D>(level, term, kernel, chunks, records, active, sums);
         } else {
             sweep::run::<N::InstructionSets, _, _, _, D>(
-                level, term, kernel, chunks, records, &active, sums,
+                level, term, kernel, chunks, records, active, sums,
             );
         }
     }
 }
+
+/// Which ranges of rows are summed: behind a pointer, or each caller's would
+/// have the sweep compiled once more.
+type Active<'a> = &'a (dyn Fn(Range<usize>) -> bool + Sync);
 
 /// Packed records, kept between sweeps.
 #[derive(Debug, Default)]

@@ -8,6 +8,7 @@ use std::ops::Range;
 
 use fearless_simd::{Level, Simd};
 
+use super::Active;
 use super::arithmetic::Arithmetic;
 use super::columns::PADDING;
 use super::lane::WIDTH;
@@ -32,7 +33,7 @@ pub(crate) fn run<I: InstructionSets, N: Arithmetic, Q: Shape, T: PairTerm<D>, c
     kernel: ScaledKernel<Q>,
     chunks: &[Chunk],
     records: Records<'_, N, T, D>,
-    active: &(impl Fn(Range<usize>) -> bool + Sync),
+    active: Active<'_>,
     sums: &mut [T::Sum<f64>],
 ) {
     for_each_part(sums, ROWS_PER_CHUNK, &|c, sums| {
@@ -52,24 +53,23 @@ pub(crate) fn run<I: InstructionSets, N: Arithmetic, Q: Shape, T: PairTerm<D>, c
     });
 }
 
-struct Task<'a, N: Arithmetic, Q, T: PairTerm<D>, A, const D: usize> {
+struct Task<'a, N: Arithmetic, Q, T: PairTerm<D>, const D: usize> {
     term: &'a T,
     kernel: ScaledKernel<Q>,
     chunk: &'a Chunk,
     records: Records<'a, N, T, D>,
-    active: &'a A,
+    active: Active<'a>,
     /// First row of the chunk.
     first: usize,
     /// Sums of its rows.
     sums: &'a mut [T::Sum<f64>],
 }
 
-impl<N, Q, T, A, const D: usize> WithSimd for Task<'_, N, Q, T, A, D>
+impl<N, Q, T, const D: usize> WithSimd for Task<'_, N, Q, T, D>
 where
     N: Arithmetic,
     Q: Shape,
     T: PairTerm<D>,
-    A: Fn(Range<usize>) -> bool,
 {
     #[inline(always)]
     fn run<S: Simd>(mut self, simd: S) {
@@ -87,7 +87,7 @@ where
     }
 }
 
-impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, A, const D: usize> Task<'_, N, Q, T, A, D> {
+impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Task<'_, N, Q, T, D> {
     #[inline(always)]
     #[allow(unsafe_code)]
     fn cluster<S: Simd>(

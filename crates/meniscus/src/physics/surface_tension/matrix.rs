@@ -55,7 +55,11 @@ impl<const D: usize> Matrix<f64, D> {
         // The cofactor of an entry; indices wrap, which gives it its sign.
         let cofactor = |row: usize, column: usize| match D {
             2 => {
-                let sign = if (row + column).is_multiple_of(2) { 1.0 } else { -1.0 };
+                let sign = if (row + column).is_multiple_of(2) {
+                    1.0
+                } else {
+                    -1.0
+                };
                 sign * at(row + 1, column + 1)
             }
             _ => {
