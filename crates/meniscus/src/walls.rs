@@ -177,7 +177,9 @@ impl<const D: usize> Walls<D> {
             if sum.weight > 0.0 {
                 let moved = self.moved(particles, row, time);
                 let pull = gravity - moved.map_or(Vector::ZERO, |moved| moved.acceleration);
-                pressure = (sum.pressure + pull.dot(&sum.head)) / sum.weight;
+                // A wall does not pull: above a water line the line goes on below zero, and
+                // would draw particles in.
+                pressure = ((sum.pressure + pull.dot(&sum.head)) / sum.weight).max(0.0);
                 let share = 1.0 / sum.weight;
                 let wall = self.wall_of(particles, row).map(|wall| &self.walls[wall]);
                 let shear = wall.map_or(Vector::ZERO, |wall| wall.motion.shear(sum.arm * share));

@@ -1,7 +1,7 @@
 //! A liquid at rest in a tank.
 
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::{BodyForce, PressureForm, Scheme};
+use meniscus::scheme::{BodyForce, Motion, PressureForm, Scheme};
 use meniscus::{Fluid, Simulation, Vector};
 
 use crate::setups::tank;
@@ -62,6 +62,40 @@ fn pressure_is_the_weight_of_what_lies_above_also_in_corners() {
             assert!((0.0..1.0).contains(&x) && (0.0..DEPTH).contains(&y));
         }
     }
+}
+
+#[test]
+fn a_rocked_tank_lets_no_liquid_into_its_walls() {
+    let spacing = 0.025;
+    let mut liquid = Fluid::new("liquid", 1000.0);
+    liquid.sound_speed = 19.18;
+    let mut scheme = Scheme::new(2.0 * spacing);
+    scheme.pressure = PressureForm::OverDensityProduct;
+    scheme.body_force = Some(BodyForce::Constant([0.0, -GRAVITY, 0.0]));
+    let mut setup = tank::<2>(1.0, 0.8, 0.4, spacing, scheme, liquid);
+    // Near the first mode of sloshing: waves of a fifth of the depth.
+    let motion = Motion::Oscillation {
+        amplitude: [0.02, 0.0, 0.0],
+        frequency: 0.8,
+        phase: 0.0,
+    };
+    setup.scheme.walls[0].motion = motion.clone();
+    let mut simulation = Simulation::new(setup).unwrap();
+    let mut highest: f64 = 0.0;
+    for k in 1..=30 {
+        simulation.advance_to(0.1 * f64::from(k)).unwrap();
+        let left = motion.at(Vector([0.0, 0.0]), simulation.time()).position[0];
+        let p = simulation.particles();
+        for i in (0..p.len()).filter(|&i| !simulation.is_wall(p.body[i])) {
+            let Vector([x, y]) = p.position[i];
+            // The waves press single particles nearer than half a spacing to the wall's own,
+            // whose first lie that far behind its surface: none passes these.
+            let room = left - 0.5 * spacing..left + 1.0 + 0.5 * spacing;
+            assert!(room.contains(&x) && y > 0.0, "{x} {y}");
+            highest = highest.max(y);
+        }
+    }
+    assert!(highest > 0.48, "{highest}");
 }
 
 #[test]
