@@ -195,7 +195,7 @@ fn continuum(node: &mut Node<'_>) -> Continuum {
         ),
         threshold: fields.or(
             "threshold",
-            "0.1",
+            "0.01",
             "Normals shorter than this over h count as none; by \"normal-length\" it is taken off all.",
             |node| node.number(Sign::NotNegative),
         ),
