@@ -75,7 +75,9 @@ impl Entries {
     #[inline(always)]
     fn append(&mut self, first: u32, lanes: u8) {
         if self.slots.len() < self.length + WIDTH {
-            self.slots.resize(self.slots.len() * 3 / 2 + 64, 0);
+            let more = self.slots.len() / 8 + 256;
+            self.slots.reserve_exact(more);
+            self.slots.resize(self.slots.len() + more, 0);
         }
         let slots = &mut self.slots[self.length..][..WIDTH];
         for (slot, lane) in slots.iter_mut().zip(LANES[lanes as usize]) {

@@ -9,7 +9,7 @@
 //! - a_i = -1/m_i sum_j (V_i^2 + V_j^2) (rho_j p_i + rho_i p_j)/(rho_i + rho_j) grad W_ij
 //!   (Hu and Adams 2006), steady across a jump of density
 
-use super::viscosity::{ViscosityForm, artificial, monaghan_cleary, morris};
+use super::viscosity::{ViscosityForm, artificial, harmonic_mean, monaghan_cleary, morris};
 use crate::fluid::Fluid;
 use crate::particles::Particles;
 use crate::real::Real;
@@ -149,6 +149,11 @@ pub trait Material: Copy + Sync {
     fn sound_speed<R: Real>(&self, record: &Self::Record<R>, like: R) -> R;
     /// mu, Pa s
     fn viscosity<R: Real>(&self, record: &Self::Record<R>, like: R) -> R;
+    /// Harmonic mean of two viscosities, Pa s.
+    #[inline(always)]
+    fn mean_viscosity<R: Real>(&self, i: &Self::Record<R>, j: &Self::Record<R>, like: R) -> R {
+        harmonic_mean(self.viscosity(i, like), self.viscosity(j, like))
+    }
     /// What acts between two particles.
     #[inline(always)]
     fn contact<R: Real>(&self, _: &Self::Record<R>, _: &Self::Record<R>, like: R) -> Contact<R> {
@@ -193,6 +198,10 @@ impl Material for OneFluid {
     }
     #[inline(always)]
     fn viscosity<R: Real>(&self, (): &(), like: R) -> R {
+        like.literal(self.viscosity)
+    }
+    #[inline(always)]
+    fn mean_viscosity<R: Real>(&self, (): &(), (): &(), like: R) -> R {
         like.literal(self.viscosity)
     }
 }
@@ -311,17 +320,16 @@ impl<M: Material, P: PressureGradient, const D: usize> PairTerm<D> for Momentum<
         }
         *sum = sum.add_scaled(ij.offset, -(ij.slope_over_distance * along_gradient));
         if let Some(form) = self.viscosity {
-            let viscosities = (
-                self.material.viscosity(i_material, like),
-                self.material.viscosity(j_material, like),
-            );
             let density_product = i.density * j.density;
             *sum += match form {
                 ViscosityForm::Morris => {
-                    morris(viscosities, &velocity_difference, density_product, ij)
+                    let sum = self.material.viscosity(i_material, like)
+                        + self.material.viscosity(j_material, like);
+                    morris(sum, &velocity_difference, density_product, ij)
                 }
                 ViscosityForm::MonaghanCleary => {
-                    monaghan_cleary(viscosities, &velocity_difference, density_product, ij)
+                    let mean = self.material.mean_viscosity(i_material, j_material, like);
+                    monaghan_cleary(mean, &velocity_difference, density_product, ij)
                 }
                 // It is no sum over one pair.
                 ViscosityForm::Stress => velocity_difference * like.zero(),

@@ -50,31 +50,34 @@ pub fn artificial<R: Real, const D: usize>(
     (approach * strength / denominator).positive()
 }
 
-/// Acceleration per unit mass of j by Morris's form.
+/// Harmonic mean, zero where both are.
 #[inline(always)]
-pub fn morris<R: Real, const D: usize>(
-    viscosities: (R, R),
-    velocity_difference: &Vector<R, D>,
-    density_product: R,
-    ij: &Pair<R, D>,
-) -> Vector<R, D> {
-    *velocity_difference
-        * ((viscosities.0 + viscosities.1) / density_product * ij.slope_over_distance)
+pub(crate) fn harmonic_mean<R: Real>(a: R, b: R) -> R {
+    a * b * 2.0 / (a + b + a.tiny())
 }
 
-/// Acceleration per unit mass of j by Monaghan and Cleary's form.
+/// Acceleration per unit mass of j by Morris's form. `sum` is mu_i + mu_j, Pa s.
 #[inline(always)]
-pub fn monaghan_cleary<R: Real, const D: usize>(
-    viscosities: (R, R),
+pub fn morris<R: Real, const D: usize>(
+    sum: R,
     velocity_difference: &Vector<R, D>,
     density_product: R,
     ij: &Pair<R, D>,
 ) -> Vector<R, D> {
-    let (mu_i, mu_j) = viscosities;
-    // Keeps 0/0 out where neither fluid is viscous, and r = 0 for i = j.
-    let sum = mu_i + mu_j + mu_i.tiny();
-    let distance_squared = ij.distance_squared + mu_i.tiny();
-    let mean = mu_i * mu_j * (4.0 * (D as f64 + 2.0)) / sum;
-    let approach = velocity_difference.dot(&ij.offset) / distance_squared;
-    ij.grad_w * (mean / density_product * approach)
+    *velocity_difference * (sum / density_product * ij.slope_over_distance)
+}
+
+/// Acceleration per unit mass of j by Monaghan and Cleary's form. `mean` is mu_ij, Pa s.
+#[inline(always)]
+pub fn monaghan_cleary<R: Real, const D: usize>(
+    mean: R,
+    velocity_difference: &Vector<R, D>,
+    density_product: R,
+    ij: &Pair<R, D>,
+) -> Vector<R, D> {
+    let approach = velocity_difference.dot(&ij.offset);
+    // One division; r = 0 for i = j.
+    let denominator = (ij.distance_squared + mean.tiny()) * density_product;
+    let strength = mean * (2.0 * (D as f64 + 2.0));
+    ij.offset * (approach * strength / denominator * ij.slope_over_distance)
 }
