@@ -11,7 +11,8 @@ use std::ops::Range;
 use fearless_simd::{Level, Simd};
 use rayon::prelude::*;
 
-use super::columns::{Columns, Entries};
+use super::columns::Columns;
+use super::entries::Entries;
 use super::lane::{Lane, WIDTH};
 use super::level::{Every, InstructionSets, WithSimd};
 use crate::real::Real;

@@ -2,6 +2,7 @@
 //! comes in, one sum per particle goes out.
 //!
 //! - `columns`: particles sorted along a snake of columns
+//! - `entries`: memory of the lists
 //! - `lists`: clusters of eight and what is near them
 //! - `images`: periodic images
 //! - `lane`: eight particles as one [`Real`](crate::Real), `narrow_lane`: the same in f32
@@ -15,6 +16,7 @@
 mod arithmetic;
 mod buffer;
 mod columns;
+mod entries;
 mod images;
 mod lane;
 mod level;

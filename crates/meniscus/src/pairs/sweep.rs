@@ -10,7 +10,7 @@ use fearless_simd::{Level, Simd};
 
 use super::Active;
 use super::arithmetic::Arithmetic;
-use super::columns::PADDING;
+use super::entries::PADDING;
 use super::lane::WIDTH;
 use super::level::{InstructionSets, WithSimd};
 use super::lists::{Chunk, ROWS_PER_CHUNK};
