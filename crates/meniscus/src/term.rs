@@ -276,6 +276,10 @@ pub trait PairTerm<const D: usize>: Copy + Sync {
     type Record<R: Real>: Record<R>;
     /// What is added up over the neighbours.
     type Sum<R: Real>: Record<R>;
+    /// Whether many runs sum it in every step. If not, it has no code of its own for the
+    /// default kernel, nor for mixed precision, where it is summed in double: a fraction of the
+    /// machine code, for some speed.
+    const OFTEN: bool = true;
 
     /// The record of particle `i`.
     fn record(&self, particles: &Particles<D>, i: usize) -> Self::Record<f64>;

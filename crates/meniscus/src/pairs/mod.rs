@@ -265,16 +265,13 @@ impl<const D: usize> Sweep<D> for Pairs<D> {
         sums.resize(particles.len(), Record::read(&mut || 0.0));
         let count = particles.len() + self.sorted_images.len();
         let mut records = std::mem::take(&mut self.records);
-        match self.precision() {
-            Precision::Double => {
-                let packed = records.double.take(count * stride::<Double, T, D>());
-                self.sum_in(Double, term, particles, &active, packed, sums);
-            }
-            Precision::Mixed => {
-                let packed = records.mixed.take(count * stride::<Mixed, T, D>());
-                let arithmetic = Mixed::new(self.support.max(self.skin));
-                self.sum_in(arithmetic, term, particles, &active, packed, sums);
-            }
+        if T::OFTEN && self.precision() == Precision::Mixed {
+            let packed = records.mixed.take(count * stride::<Mixed, T, D>());
+            let arithmetic = Mixed::new(self.support.max(self.skin));
+            self.sum_in(arithmetic, term, particles, &active, packed, sums);
+        } else {
+            let packed = records.double.take(count * stride::<Double, T, D>());
+            self.sum_in(Double, term, particles, &active, packed, sums);
         }
         self.records = records;
     }
@@ -294,7 +291,7 @@ impl<const D: usize> Pairs<D> {
         let records = records::pack(arithmetic, term, particles, images, packed);
         let kernel = ScaledKernel::new(self.kernel, self.smoothing_length, D);
         let (level, chunks) = (self.level, &self.chunks);
-        if self.kernel == Kernel::WendlandC2 && is_widest(level) {
+        if T::OFTEN && self.kernel == Kernel::WendlandC2 && is_widest(level) {
             // The default kernel is worth code of its own.
             let kernel = kernel.compiled::<WendlandC2>();
             sweep::run::<Widest, _, _, _, D>(level, term, kernel, chunks, records, active, sums);

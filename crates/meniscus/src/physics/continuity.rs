@@ -52,6 +52,7 @@ pub struct NumberContinuity;
 impl<const D: usize> PairTerm<D> for NumberContinuity {
     type Record<R: Real> = Moving<R, D>;
     type Sum<R: Real> = R;
+    const OFTEN: bool = false;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Moving<f64, D> {
         Continuity.record(particles, i)

@@ -139,6 +139,8 @@ pub struct Contact<R> {
 pub trait Material: Copy + Sync {
     /// Whether [`contact`](Self::contact) is ever other than 1.
     const WALLS: bool = false;
+    /// See [`PairTerm::OFTEN`].
+    const OFTEN: bool = true;
     /// What is read of a particle.
     type Record<R: Real>: Record<R>;
     /// The record of a particle of this mass (kg), fluid and body.
@@ -224,6 +226,7 @@ record! {
 
 impl Material for Mixture<'_> {
     type Record<R: Real> = Substance<R, 0>;
+    const OFTEN: bool = false;
 
     fn record(&self, mass: f64, fluid: u16, _: u16) -> Substance<f64, 0> {
         let Fluid {
@@ -270,6 +273,7 @@ pub struct Momentum<M, P = Option<PressureForm>> {
 impl<M: Material, P: PressureGradient, const D: usize> PairTerm<D> for Momentum<M, P> {
     type Record<R: Real> = (Flowing<R, D>, M::Record<R>);
     type Sum<R: Real> = Vector<R, D>;
+    const OFTEN: bool = M::OFTEN;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> (Flowing<f64, D>, M::Record<f64>) {
         let (density, pressure) = (particles.density[i], particles.pressure[i]);

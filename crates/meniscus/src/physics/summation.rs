@@ -16,6 +16,7 @@ pub struct Summation;
 impl<const D: usize> PairTerm<D> for Summation {
     type Record<R: Real> = R;
     type Sum<R: Real> = R;
+    const OFTEN: bool = false;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> f64 {
         particles.mass[i]

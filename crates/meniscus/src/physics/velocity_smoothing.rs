@@ -34,6 +34,7 @@ record! {
 impl<const D: usize> PairTerm<D> for VelocitySmoothing {
     type Record<R: Real> = Smoothable<R, D>;
     type Sum<R: Real> = Vector<R, D>;
+    const OFTEN: bool = false;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Smoothable<f64, D> {
         Smoothable {

@@ -31,6 +31,7 @@ pub struct VelocityGradient;
 impl<const D: usize> PairTerm<D> for VelocityGradient {
     type Record<R: Real> = Moving<R, D>;
     type Sum<R: Real> = CorrectableDivergence<R, D>;
+    const OFTEN: bool = false;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Moving<f64, D> {
         Continuity.record(particles, i)
@@ -72,6 +73,7 @@ record! {
 impl<const D: usize> PairTerm<D> for StressDivergence<'_, D> {
     type Record<R: Real> = Stressed<R, D>;
     type Sum<R: Real> = Vector<R, D>;
+    const OFTEN: bool = false;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Stressed<f64, D> {
         Stressed {

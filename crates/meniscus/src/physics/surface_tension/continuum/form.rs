@@ -86,6 +86,7 @@ record! {
 impl<F: Fn(usize) -> f64 + Sync, const D: usize> PairTerm<D> for Stress<'_, F, D> {
     type Record<R: Real> = Tense<R, D>;
     type Sum<R: Real> = Vector<R, D>;
+    const OFTEN: bool = false;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Tense<f64, D> {
         let tension = self.normal[i] * (self.factor)(i);
