@@ -109,6 +109,7 @@ fn assemble(
             kernel: draft.kernel,
             smoothing_length: draft.smoothing_length,
             density: physics.density,
+            density_diffusion: physics.density_diffusion,
             pressure: physics.pressure,
             artificial_viscosity: physics.artificial_viscosity,
             viscosity: physics.viscosity,

@@ -6,7 +6,8 @@ use crate::fluid::Fluid;
 use crate::pairs::Domain;
 use crate::particles::Particles;
 use crate::physics::continuity::Continuity;
-use crate::physics::momentum::{Mixture, Momentum};
+use crate::physics::momentum::Momentum;
+use crate::physics::wall::Walled;
 use crate::rates::{Rates, momentum};
 use crate::reference;
 use crate::vector::Vector;
@@ -182,7 +183,12 @@ pub(crate) fn diagnose<const D: usize>(
     i: usize,
 ) -> Culprit {
     let (scheme, fluids) = (&rates.scheme, &rates.fluids[..]);
-    let whole = momentum(scheme, fluids, Mixture(fluids), Some(scheme.pressure));
+    let whole = momentum(
+        scheme,
+        fluids,
+        rates.walls.material(fluids),
+        Some(scheme.pressure),
+    );
     let none = Momentum {
         pressure: None,
         artificial_viscosity: 0.0,
@@ -190,9 +196,7 @@ pub(crate) fn diagnose<const D: usize>(
         ..whole
     };
     let (kernel, h) = (rates.scheme.kernel, rates.scheme.smoothing_length);
-    let alone = |term: Momentum<Mixture>| reference::sum(&term, kernel, h, domain, particles, i);
-    let body_force = (rates.scheme.body_force.as_ref())
-        .map_or(Vector::ZERO, |force| Vector::from_3d(force.at(time)));
+    let alone = |term: Momentum<Walled>| reference::sum(&term, kernel, h, domain, particles, i);
     let parts = [
         (
             "the pressure gradient",
@@ -216,7 +220,7 @@ pub(crate) fn diagnose<const D: usize>(
             }),
         ),
         ("surface tension", rates.surface_acceleration(particles, i)),
-        ("the body force", body_force),
+        ("the body force", rates.body_force(time)),
     ];
     let mut own_force = Vector::ZERO;
     if !rates.forces.is_empty() {

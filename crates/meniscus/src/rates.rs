@@ -7,6 +7,7 @@ use crate::fluid::Fluid;
 use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::continuity::{Continuity, NumberContinuity};
+use crate::physics::density_diffusion::Diffusing;
 use crate::physics::equation_of_state::Tait;
 use crate::physics::momentum::{
     Mixture, Momentum, OneFluid, OverDensityProduct, OverDensitySquared, PressureForm,
@@ -68,6 +69,7 @@ pub(crate) struct Rates<const D: usize> {
     pub(crate) pairs: Pairs<D>,
     pub(crate) surface: Surface<D>,
     viscous_stress: ViscousStress<D>,
+    diffusing: Diffusing<D>,
     /// For the particles at the surface alone.
     at_surface: Pairs<D>,
     pub(crate) forces: Vec<Box<dyn Force<D>>>,
@@ -100,6 +102,7 @@ impl<const D: usize> Rates<D> {
         Self {
             at_surface,
             viscous_stress: ViscousStress::default(),
+            diffusing: Diffusing::default(),
             equations_of_state: fluids.iter().map(Tait::new).collect(),
             walls: Walls::new(&scheme.walls, particles),
             one_mass: first.filter(|_| same && fluids.len() == 1),
@@ -113,10 +116,10 @@ impl<const D: usize> Rates<D> {
         }
     }
 
-    /// Density at the end of a step of `dt` seconds, then pressure. By
+    /// Density at the end of a step of `dt` seconds that starts at `time`, then pressure. By
     /// continuity from positions and velocities at its middle, where XSPH moves
     /// particles too; by summation from positions at its end.
-    pub(crate) fn advance_density(&mut self, particles: &mut Particles<D>, dt: f64) {
+    pub(crate) fn advance_density(&mut self, particles: &mut Particles<D>, time: f64, dt: f64) {
         self.walls.go_halfway(&self.pairs, particles, dt);
         match self.scheme.density {
             DensityForm::Continuity | DensityForm::Number => {
@@ -127,6 +130,7 @@ impl<const D: usize> Rates<D> {
                     self.pairs
                         .sweep(&Continuity, particles, |_| true, &mut self.scalars);
                 }
+                self.diffuse(particles, time + 0.5 * dt);
                 self.smooth_motion(particles, dt);
                 (particles.density.par_iter_mut(), &self.scalars)
                     .into_par_iter()
@@ -140,6 +144,31 @@ impl<const D: usize> Rates<D> {
             }
         }
         self.update_pressure(particles);
+    }
+
+    /// Adds diffusion to the rates of density at `time` seconds.
+    fn diffuse(&mut self, particles: &mut Particles<D>, time: f64) {
+        let Some(diffusion) = self.scheme.density_diffusion else {
+            return;
+        };
+        let gravity = self.body_force(time);
+        self.walls.hide(particles, |_| true);
+        self.diffusing.add(
+            diffusion,
+            &mut self.pairs,
+            particles,
+            &self.fluids,
+            self.scheme.smoothing_length,
+            gravity,
+            &mut self.scalars,
+        );
+        self.walls.show(particles);
+    }
+
+    /// The body force at `time` seconds, m/s^2.
+    pub(crate) fn body_force(&self, time: f64) -> Vector<f64, D> {
+        (self.scheme.body_force.as_ref())
+            .map_or(Vector::ZERO, |force| Vector::from_3d(force.at(time)))
     }
 
     /// Moves particles towards the velocity of their surroundings, for `dt` seconds.
@@ -175,8 +204,7 @@ impl<const D: usize> Rates<D> {
 
     /// Acceleration at `time` seconds.
     pub(crate) fn accelerate(&mut self, particles: &mut Particles<D>, time: f64) {
-        let body_force = (self.scheme.body_force.as_ref())
-            .map_or(Vector::ZERO, |force| Vector::from_3d(force.at(time)));
+        let body_force = self.body_force(time);
         self.walls.prepare(
             &mut self.pairs,
             particles,
@@ -352,7 +380,7 @@ pub struct Space;
 #[doc(hidden)]
 #[derive(Clone, Copy)]
 pub struct Table<const D: usize> {
-    pub(crate) advance_density: fn(&mut Rates<D>, &mut Particles<D>, f64),
+    pub(crate) advance_density: fn(&mut Rates<D>, &mut Particles<D>, f64, f64),
     pub(crate) accelerate: fn(&mut Rates<D>, &mut Particles<D>, f64),
     pub(crate) rebuild: fn(&mut Pairs<D>, &mut Particles<D>),
     pub(crate) diagnose: fn(&Rates<D>, &Particles<D>, &Domain<D>, f64, usize) -> Culprit,

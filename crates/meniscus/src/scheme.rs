@@ -4,6 +4,7 @@ pub use crate::fluid::Fluid;
 use crate::kernel::Kernel;
 use crate::pairs::Precision;
 pub use crate::physics::body_force::BodyForce;
+pub use crate::physics::density_diffusion::{DensityDiffusion, DiffusionForm};
 pub use crate::physics::momentum::PressureForm;
 pub use crate::physics::surface_tension::SurfaceTension;
 pub use crate::physics::viscosity::ViscosityForm;
@@ -48,6 +49,8 @@ pub struct Scheme {
     pub smoothing_length: f64,
     /// How density is found.
     pub density: DensityForm,
+    /// Diffusion of density, if any. Not with density by summation.
+    pub density_diffusion: Option<DensityDiffusion>,
     /// Form of the pressure gradient.
     pub pressure: PressureForm,
     /// alpha of the artificial viscosity; zero for none.
@@ -81,6 +84,7 @@ impl Scheme {
             kernel: Kernel::WendlandC2,
             smoothing_length,
             density: DensityForm::Continuity,
+            density_diffusion: None,
             pressure: PressureForm::OverDensitySquared,
             artificial_viscosity: 0.1,
             viscosity: ViscosityForm::MonaghanCleary,

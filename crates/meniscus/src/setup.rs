@@ -7,7 +7,7 @@ use crate::pairs::{Domain, Precision};
 use crate::particles::Particle;
 use crate::physics::body_force::BodyForce;
 use crate::physics::surface_tension::SurfaceTension;
-use crate::scheme::{DensityForm, Scheme, TimeStep};
+use crate::scheme::{DensityDiffusion, DensityForm, Scheme, TimeStep};
 
 /// Spacings that the kernel must reach for the colour of a surface to fall off over more than
 /// one layer of particles.
@@ -65,6 +65,21 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
             "velocity smoothing moves particles where density follows from continuity, not by summation"
                 .into(),
         );
+    }
+    if let Some(diffusion) = scheme.density_diffusion {
+        at_least_zero.push(("strength of density diffusion", diffusion.strength));
+        if diffusion.strength > DensityDiffusion::STRONGEST {
+            return complain(format!(
+                "strength of density diffusion must be at most {}, found {}",
+                DensityDiffusion::STRONGEST,
+                diffusion.strength
+            ));
+        }
+        if scheme.density == DensityForm::Summation {
+            return complain(
+                "density by summation follows from places alone and cannot diffuse".into(),
+            );
+        }
     }
     match scheme.time_step {
         TimeStep::Fixed(dt) => positive.push(("time step", dt)),

@@ -63,6 +63,7 @@ impl<const D: usize> Simulation<D> {
                 &mut simulation.rates,
                 &mut simulation.particles,
                 0.0,
+                0.0,
             );
         }
         simulation.rates.update_pressure(&mut simulation.particles);
@@ -123,12 +124,12 @@ impl<const D: usize> Simulation<D> {
         kick_drift(&mut self.particles, dt, damping);
         if self.rates.scheme.density != DensityForm::Summation {
             self.refresh_lists();
-            (self.table.advance_density)(&mut self.rates, &mut self.particles, dt);
+            (self.table.advance_density)(&mut self.rates, &mut self.particles, self.time, dt);
         }
         drift(&mut self.particles, dt);
         self.refresh_lists();
         if self.rates.scheme.density == DensityForm::Summation {
-            (self.table.advance_density)(&mut self.rates, &mut self.particles, dt);
+            (self.table.advance_density)(&mut self.rates, &mut self.particles, self.time, dt);
         }
         self.time += dt;
         (self.table.accelerate)(&mut self.rates, &mut self.particles, self.time);

@@ -6,7 +6,8 @@ use meniscus::physics::surface_tension::continuum::{Calibration, Continuum, Corr
 use meniscus::physics::surface_tension::curvature::Weighting;
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
 use meniscus::scheme::{
-    BodyForce, DensityForm, Integrator, PressureForm, SurfaceTension, TimeStep, ViscosityForm,
+    BodyForce, DensityDiffusion, DensityForm, DiffusionForm, Integrator, PressureForm,
+    SurfaceTension, TimeStep, ViscosityForm,
 };
 
 use crate::read::{Choice, Node, Sign};
@@ -15,6 +16,7 @@ use crate::units;
 /// The choices of a scheme that are physics.
 pub(crate) struct Physics {
     pub density: DensityForm,
+    pub density_diffusion: Option<DensityDiffusion>,
     pub pressure: PressureForm,
     pub artificial_viscosity: f64,
     pub viscosity: ViscosityForm,
@@ -39,6 +41,12 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
             ];
             node.name_of("density form", &names)
         }),
+        density_diffusion: fields.or(
+            "density_diffusion",
+            "'none'",
+            "Diffusion of density, against noise of pressure.",
+            |node| node.choice("density diffusion", DENSITY_DIFFUSION),
+        ),
         pressure: fields.or(
             "pressure",
             "'over-density-squared'",
@@ -135,6 +143,42 @@ fn velocity_smoothing(node: &mut Node<'_>) -> f64 {
         );
     }
     strength
+}
+
+const DENSITY_DIFFUSION: &[Choice<Option<DensityDiffusion>>] = &[
+    Choice::new(
+        "antuono",
+        "delta-SPH, of Antuono and others: all but the linear part of density diffuses.",
+        |node| diffusion(node, DiffusionForm::Antuono),
+    ),
+    Choice::new(
+        "fourtakas",
+        "All but the density of a liquid at rest under the body force, of Fourtakas and others.",
+        |node| diffusion(node, DiffusionForm::Fourtakas),
+    ),
+    Choice::new(
+        "molteni-colagrossi",
+        "Of Molteni and Colagrossi; a liquid with weight drifts apart at its surface.",
+        |node| diffusion(node, DiffusionForm::MolteniColagrossi),
+    ),
+    Choice::new("none", "No diffusion.", |node| node.table(|_| None)),
+];
+
+fn diffusion(node: &mut Node<'_>, form: DiffusionForm) -> Option<DensityDiffusion> {
+    node.table(|fields| {
+        let strength = fields.or("strength", "0.1", "delta, at most 0.5.", |node| {
+            let strength = node.number(Sign::NotNegative);
+            if strength > DensityDiffusion::STRONGEST {
+                node.fail(
+                    format!("`strength` is {strength}"),
+                    format!("more than {}", DensityDiffusion::STRONGEST),
+                    "0.1 is usual; much more is unstable",
+                );
+            }
+            strength
+        });
+        Some(DensityDiffusion { form, strength })
+    })
 }
 
 const SURFACE_TENSION: &[Choice<Option<SurfaceTension>>] = &[

@@ -2,6 +2,7 @@
 //!
 //! - [`equation_of_state`]: pressure from density
 //! - [`continuity`]: rate of density; [`summation`]: density itself
+//! - [`density_diffusion`]: against noise of density
 //! - [`momentum`]: pressure gradient and viscous force
 //! - [`viscosity`]: artificial and laminar; [`viscous_stress`]: laminar, in two sweeps
 //! - [`body_force`]: gravity and shaken frames
@@ -11,6 +12,7 @@
 
 pub mod body_force;
 pub mod continuity;
+pub mod density_diffusion;
 pub mod equation_of_state;
 pub mod momentum;
 pub mod summation;

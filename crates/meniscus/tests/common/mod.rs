@@ -2,11 +2,8 @@
 #![allow(dead_code)] // each test file uses a part
 
 use meniscus::fluid::Fluid;
-use meniscus::scheme::{
-    BodyForce, DensityForm, Integrator, PressureForm, Scheme, SurfaceTension, TimeStep,
-    ViscosityForm,
-};
-use meniscus::{Domain, Kernel, Particle, Precision, Setup, Vector};
+use meniscus::scheme::{Scheme, SurfaceTension, ViscosityForm};
+use meniscus::{Domain, Particle, Setup, Vector};
 
 /// Unit density, viscosity `viscosity`, tension `surface_tension`, sound speed 10.
 pub fn fluid(viscosity: f64, surface_tension: f64) -> Fluid {
@@ -24,20 +21,9 @@ pub fn fluid(viscosity: f64, surface_tension: f64) -> Fluid {
 /// Plain weakly compressible flow, no viscosity, Wendland C2, h = 2 dx.
 pub fn scheme(spacing: f64) -> Scheme {
     Scheme {
-        kernel: Kernel::WendlandC2,
-        smoothing_length: 2.0 * spacing,
-        density: DensityForm::Continuity,
-        pressure: PressureForm::OverDensitySquared,
         artificial_viscosity: 0.0,
         viscosity: ViscosityForm::Morris,
-        body_force: None::<BodyForce>,
-        velocity_smoothing: 0.0,
-        surface_tension: None,
-        damping: 0.0,
-        walls: Vec::new(),
-        integrator: Integrator::Symplectic,
-        time_step: TimeStep::Adaptive { safety: 1.0 },
-        precision: Precision::Double,
+        ..Scheme::new(2.0 * spacing)
     }
 }
 

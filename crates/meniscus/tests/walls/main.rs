@@ -5,6 +5,7 @@ mod common;
 
 mod budget;
 mod channel;
+mod density_diffusion;
 mod hydrostatics;
 mod layout;
 mod march;

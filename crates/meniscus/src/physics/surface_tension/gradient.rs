@@ -110,10 +110,17 @@ impl<const D: usize> PairTerm<D> for CorrectedGradient<'_> {
         ij: &Pair<R, D>,
         sum: &mut Correctable<R, D>,
     ) {
-        let weighted = ij.grad_w * j.volume;
-        sum.gradient += weighted * (j.value - i.value);
+        sum.add(ij.grad_w * j.volume, j.value - i.value, &ij.offset);
+    }
+}
+
+impl<R: Real, const D: usize> Correctable<R, D> {
+    /// Adds a neighbour: V_j grad W_ij, f_j - f_i and x_i - x_j.
+    #[inline(always)]
+    pub fn add(&mut self, weighted: Vector<R, D>, difference: R, offset: &Vector<R, D>) {
+        self.gradient += weighted * difference;
         // x_j - x_i is minus the offset.
-        sum.matrix.add_outer(&-weighted, &ij.offset);
+        self.matrix.add_outer(&-weighted, offset);
     }
 }
 
