@@ -1,8 +1,11 @@
 //! What a finished run shows: numbers beside what they should be.
 
+mod crown;
+mod roundness;
+
 use meniscus::measure::{DampedCosine, Estimate, OscillationSurfaceTension};
 use meniscus::theory;
-use meniscus_case::Case;
+use meniscus_case::{Case, Window};
 use meniscus_output::Series;
 use serde::{Deserialize, Serialize};
 
@@ -43,6 +46,8 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     extremes(case, series, &mut findings);
     curvature(case, series, &mut findings);
     static_pressure(case, series, &mut findings);
+    roundness::measure(case, series, &mut findings);
+    crown::measure(case, series, &mut findings);
     common(case, series, &mut findings);
     findings
 }
@@ -96,6 +101,18 @@ fn window(series: &Series, name: &str, from: f64, to: f64) -> Option<(Vec<f64>, 
             .map(|(t, v)| (*t, *v))
             .unzip(),
     )
+}
+
+/// The mean of a column over a time; none where the series has nothing there.
+fn mean(series: &Series, name: &str, over: &Window) -> Option<Estimate> {
+    let (_, values) = window(series, name, over.from, over.to).filter(|w| !w.0.is_empty())?;
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    let variance = values.iter().map(|y| (y - mean).powi(2)).sum::<f64>() / values.len() as f64;
+    // Samples of a flow at rest are not independent: the spread itself, not that of a mean.
+    Some(Estimate {
+        value: mean,
+        half_width: 1.96 * variance.sqrt(),
+    })
 }
 
 fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
@@ -236,9 +253,7 @@ fn static_pressure(case: &Case, series: &Series, findings: &mut Findings) {
     let (Some(asked), Some(body)) = (&case.measure.static_pressure, case.bodies.first()) else {
         return;
     };
-    let Some((_, values)) =
-        window(series, "inner pressure", asked.from, asked.to).filter(|w| !w.0.is_empty())
-    else {
+    let Some(pressure) = mean(series, "inner pressure", asked) else {
         findings
             .complaints
             .push("no static pressure was measured: the series has none in that time".into());
@@ -246,20 +261,13 @@ fn static_pressure(case: &Case, series: &Series, findings: &mut Findings) {
     };
     let fluid = &case.fluids[body.fluid];
     let radius = theory::equivalent_radius(body.volume, case.dimension);
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    let variance = values.iter().map(|p| (p - mean).powi(2)).sum::<f64>() / values.len() as f64;
-    // Samples of a flow at rest are not independent: the spread itself, not that of a mean.
-    let pressure = Estimate {
-        value: mean,
-        half_width: 1.96 * variance.sqrt(),
-    };
     let jump = theory::pressure_jump(fluid.surface_tension, radius, case.dimension);
     let laplace = Some(("Laplace", jump));
     let name = "inner pressure (r < R/2)";
     findings.add("inner-pressure", name, "Pa", laplace, pressure);
     let factor = theory::surface_tension_from_pressure(1.0, radius, case.dimension);
     let sigma = Estimate {
-        value: mean * factor,
+        value: pressure.value * factor,
         half_width: pressure.half_width * factor,
     };
     let given = Some(("given", fluid.surface_tension));

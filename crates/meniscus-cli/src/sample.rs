@@ -1,5 +1,7 @@
 //! What is written of a flow: the columns of the time series, and frames.
 
+pub mod asked;
+
 use meniscus::measure::{
     PrincipalAxes, Sensor, StaticSurfaceTension, angular_momentum, centre_of_mass, kinetic_energy,
     linear_momentum, maximum_speed, range, semi_axes_along_coordinates, semi_axes_by_tips,
@@ -117,6 +119,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
                 columns.push(Column::new(&format!("{name} moment {axis}"), &per("N m")));
             }
         }
+        columns.extend(asked::columns(self.case));
         columns
     }
 
@@ -189,6 +192,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
             row.extend(&load.force[..D]);
             row.extend(&load.moment[3 - turned_about(D).len()..]);
         }
+        row.extend(asked::row(self.case, p));
         row
     }
 

@@ -300,3 +300,23 @@ fn no_values_break_a_figure() {
     let none = ParticlePictures::new("Pressure", "Pa").figure("empty", "");
     assert!(!decoded(&none).data().is_empty());
 }
+
+#[test]
+fn particles_of_different_origin_have_colours_with_names() {
+    let snapshot = Snapshot {
+        time: 0.0,
+        positions: (0..4).map(|i| [f64::from(i), 0.0, 0.0]).collect(),
+        diameter: 1.0,
+        values: vec![0.0, 1.0, 1.0, f64::NAN],
+    };
+    let figure = ParticlePictures::new("Body", "")
+        .named(&["drop", "film"])
+        .with(snapshot)
+        .figure("body", "Origin.");
+    let svg = figure.svg().unwrap();
+    let texts = texts(&svg);
+    assert!(texts.iter().any(|t| t == "drop") && texts.iter().any(|t| t == "film"));
+    let fills: Vec<String> = circles(&svg).into_iter().map(|circle| circle.2).collect();
+    assert_eq!(fills[1], fills[2]);
+    assert!(fills[0] != fills[1] && fills[3] != fills[0] && fills[3] != fills[1]);
+}

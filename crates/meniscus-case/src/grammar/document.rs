@@ -4,7 +4,8 @@ use meniscus::{Kernel, Precision};
 
 use super::body::{DraftBody, bodies};
 use super::fluid::{DraftFluid, fluid};
-use super::output::{Measure, Output, measure, output};
+use super::measure::{Measure, measure};
+use super::output::{Output, output};
 use super::physics::{Physics, physics};
 use super::wall::{DraftWall, walls};
 use crate::read::{Fields, Node, Sign};

@@ -3,12 +3,13 @@
 //! - `document`: the top of the file
 //! - `fluid`, `body`, `shape`, `arrangement`: what there is at the start; `wall`: around it
 //! - `physics`: what is solved
-//! - `output`: what is written and measured
+//! - `output`: how often results are written; `measure`: what is measured
 
 mod arrangement;
 mod body;
 mod document;
 mod fluid;
+mod measure;
 mod output;
 mod physics;
 mod shape;
@@ -16,5 +17,6 @@ mod wall;
 
 pub(crate) use body::{DraftBody, Geometry};
 pub(crate) use document::{Draft, document};
-pub use output::{Measure, Oscillation, Output, Sensor, StaticPressure};
+pub use measure::{Crown, Measure, Oscillation, Sensor, Window};
+pub use output::Output;
 pub(crate) use wall::{DraftWall, Surface, WallShape};

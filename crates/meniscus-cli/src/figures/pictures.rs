@@ -11,7 +11,7 @@ use crate::findings::Findings;
 /// Panels of a figure.
 const PANELS: usize = 6;
 
-/// Pressure and speed: over the first period of an oscillation, else over the whole run.
+/// Pressure and speed, and with several bodies where the liquid came from: over the first period of an oscillation, else over the whole run.
 pub fn figures(
     case: &Case,
     reader: &FrameReader,
@@ -41,6 +41,18 @@ pub fn figures(
             .view(View::Whole(direction(case)))
             .figure("speed", &format!("{outside}, coloured by speed.")),
     ];
+    if case.bodies.len() > 1 {
+        let names: Vec<&str> = case.bodies.iter().map(|body| body.name.as_str()).collect();
+        figures.push(
+            pictures(case, &frames, "Body", "")
+                .named(&names)
+                .view(slice(case, &frames))
+                .figure(
+                    "body",
+                    &format!("{inside}, coloured by the body they began in."),
+                ),
+        );
+    }
     if !case.measure.curvature.is_empty() {
         for (label, unit) in [
             ("Colour", ""),

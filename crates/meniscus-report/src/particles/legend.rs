@@ -1,11 +1,11 @@
-//! Scale bar and colour bar.
+//! Scale bar, colour bar and names of colours.
 
 use super::ColourScale;
 use super::panels::Panels;
 use crate::colour::{Colour, viridis};
 use crate::number::{exponent, fixed, scaled_unit};
 use crate::plot::ticks;
-use crate::scene::{Anchor, Mark, Rect, Stroke};
+use crate::scene::{Anchor, Mark, Rect, Stroke, font};
 
 /// Height of the strip below the panels.
 pub(super) const HEIGHT: f64 = 78.0;
@@ -102,6 +102,36 @@ pub(super) fn colour_bar(
     };
     let at = [bar.left + 0.5 * bar.width, bar.top - 8.0];
     marks.push(Mark::text(at, Anchor::Middle, TEXT + 0.5, title));
+}
+
+/// Names beside their colours, at the right below the panels; what finds no room is left out.
+pub(super) fn names<'a>(
+    marks: &mut Vec<Mark>,
+    names: impl Iterator<Item = (Colour, &'a String)>,
+    width: f64,
+    top: f64,
+) {
+    let begin = 0.42 * width;
+    let (mut left, mut line) = (begin, top + 0.5 * DOWN);
+    for (colour, name) in names {
+        let needed = BAR + 6.0 + font::width(name, TEXT) + 18.0;
+        if left > begin && left + needed > width {
+            (left, line) = (begin, line + 1.6 * TEXT);
+        }
+        if line + BAR > top + HEIGHT {
+            break;
+        }
+        let square = Rect {
+            left,
+            top: line,
+            width: BAR,
+            height: BAR,
+        };
+        marks.push(area(square.corners(), colour));
+        let at = [left + BAR + 6.0, line + 0.85 * BAR];
+        marks.push(Mark::text(at, Anchor::Start, TEXT, name.clone()));
+        left += needed;
+    }
 }
 
 fn area(points: Vec<[f64; 2]>, fill: Colour) -> Mark {

@@ -11,7 +11,7 @@ mod view;
 
 pub use view::{Direction, View};
 
-use crate::colour::{Colour, viridis};
+use crate::colour::{Colour, PALETTE, viridis};
 use crate::figure::Figure;
 use crate::number::{exponent, fixed, in_reach, scaled_unit};
 use crate::scene::{Anchor, Disc, Mark, Scene};
@@ -44,6 +44,7 @@ pub struct ParticlePictures {
     unit: String,
     view: View,
     limits: Option<[f64; 2]>,
+    names: Vec<String>,
     snapshots: Vec<Snapshot>,
 }
 
@@ -55,6 +56,7 @@ impl ParticlePictures {
             unit: unit.to_owned(),
             view: View::Whole(Direction::Z),
             limits: None,
+            names: Vec::new(),
             snapshots: Vec::new(),
         }
     }
@@ -73,6 +75,15 @@ impl ParticlePictures {
         }
     }
 
+    /// The same with values that are no measure but count these names, from zero: each has a
+    /// colour of its own, up to the sixth, and stands beside it below the panels.
+    pub fn named(self, names: &[&str]) -> Self {
+        ParticlePictures {
+            names: names.iter().map(|name| (*name).to_owned()).collect(),
+            ..self
+        }
+    }
+
     /// The same with one more panel.
     pub fn with(mut self, snapshot: Snapshot) -> Self {
         self.snapshots.push(snapshot);
@@ -83,7 +94,11 @@ impl ParticlePictures {
     pub fn figure(&self, name: &str, caption: &str) -> Figure {
         let seen: Vec<Vec<Seen>> = self.snapshots.iter().map(|s| self.view.see(s)).collect();
         let all = || seen.iter().flatten();
-        let colours = ColourScale::new(self.limits, all().map(|p| p.value));
+        let scale = ColourScale::new(self.limits, all().map(|p| p.value));
+        let colour = |value: f64| match self.names.is_empty() {
+            true => scale.colour(value),
+            false => of_name(value),
+        };
         let panels = Panels::new(&seen);
         // In two dimensions no disc hides another: no rim needed.
         let depths = all().map(|p| p.depth);
@@ -103,7 +118,7 @@ impl ParticlePictures {
             let disc = |particle: &Seen| Disc {
                 centre: panels.place(i, particle.at),
                 radius: particle.radius * panels.scale,
-                fill: colours.colour(particle.value),
+                fill: colour(particle.value),
             };
             marks.push(Mark::Discs {
                 discs: particles.iter().map(disc).collect(),
@@ -112,8 +127,13 @@ impl ParticlePictures {
         }
         let bottom = panels.bottom();
         legend::scale_bar(&mut marks, &panels, bottom);
-        let title = (self.quantity.as_str(), self.unit.as_str());
-        legend::colour_bar(&mut marks, &colours, title, panels.width, bottom);
+        if self.names.is_empty() {
+            let title = (self.quantity.as_str(), self.unit.as_str());
+            legend::colour_bar(&mut marks, &scale, title, panels.width, bottom);
+        } else {
+            let names = (self.names.iter().enumerate()).map(|(i, name)| (of_name(i as f64), name));
+            legend::names(&mut marks, names, panels.width, bottom);
+        }
         let scene = Scene {
             width: panels.width,
             height: bottom + legend::HEIGHT,
@@ -133,6 +153,15 @@ impl ParticlePictures {
         let decimals = usize::try_from(places.clamp(0, 6)).unwrap_or(0);
         let title = |t: &f64| format!("t = {} {}", fixed(t / unit.factor, decimals), unit.unit);
         times.iter().map(title).collect()
+    }
+}
+
+/// The colour of what has this number.
+fn of_name(number: f64) -> Colour {
+    if number >= 0.0 {
+        PALETTE[number as usize % PALETTE.len()]
+    } else {
+        Colour::NO_VALUE
     }
 }
 

@@ -8,25 +8,38 @@
 //!
 //! - totals over all particles: [`centre_of_mass`], [`linear_momentum`], [`kinetic_energy`], ...
 //! - the body's shape: [`PrincipalAxes`], [`semi_axes_by_tips`], [`surface_energy`]
+//! - how round a body is, by direction: [`Outline`]
+//! - a splash: [`Crown`]
 //! - virtual pressure sensors: [`Sensor`]
 //! - pressure against radius, and what surface tension it shows: [`radial_profile`],
 //!   [`StaticSurfaceTension`]
 //! - a fitted oscillation and what surface tension it shows: [`DampedCosine`],
 //!   [`OscillationSurfaceTension`]
+//! - a fitted power law: [`PowerLaw`]
 
 mod compression_energy;
+mod crown;
 mod damped_cosine;
 mod estimate;
+mod fit_error;
 mod oscillation;
+mod outline;
+mod power_law;
 mod radial;
+#[cfg(test)]
+mod samples;
 mod semi_axes;
 mod sensor;
 mod totals;
 
 pub use compression_energy::{compression_energy, specific_compression_energy};
-pub use damped_cosine::{DampedCosine, FitError};
+pub use crown::Crown;
+pub use damped_cosine::DampedCosine;
 pub use estimate::Estimate;
+pub use fit_error::FitError;
 pub use oscillation::OscillationSurfaceTension;
+pub use outline::Outline;
+pub use power_law::PowerLaw;
 pub use radial::{RadialBin, StaticSurfaceTension, radial_profile};
 pub use semi_axes::{
     PrincipalAxes, semi_axes_along_coordinates, semi_axes_by_tips, surface_energy,

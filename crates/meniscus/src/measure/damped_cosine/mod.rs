@@ -6,17 +6,15 @@
 //! noise, so that confidence intervals come from its spectrum near the wave's frequency.
 
 mod confidence;
-mod error;
 mod least_squares;
 mod start;
 #[cfg(test)]
 mod tests;
 
-pub use error::FitError;
-
 use std::f64::consts::TAU;
 
 use super::estimate::Estimate;
+use super::fit_error::{FitError, check};
 use confidence::Confidence;
 
 /// A fitted damped oscillation.
@@ -68,7 +66,7 @@ impl DampedCosine {
     /// # Ok::<(), meniscus::measure::FitError>(())
     /// ```
     pub fn fit(times: &[f64], values: &[f64]) -> Result<DampedCosine, FitError> {
-        error::check(times, values)?;
+        check(times, values)?;
         let (start, length) = (times[0], times[times.len() - 1] - times[0]);
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         let variance = values.iter().map(|y| (y - mean).powi(2)).sum::<f64>() / values.len() as f64;

@@ -3,26 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::{DampedCosine, FitError};
+use crate::measure::samples::Random;
 use crate::measure::{Estimate, OscillationSurfaceTension};
 use crate::theory::angular_frequency;
-
-/// Pseudo-random numbers by Steele, Lea and Flood's splitmix64.
-struct Random(u64);
-
-impl Random {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 * 2.0_f64.powi(-53) + 2.0_f64.powi(-54)
-    }
-
-    /// Box and Muller.
-    fn normal(&mut self) -> f64 {
-        (-2.0 * self.uniform().ln()).sqrt() * (TAU * self.uniform()).cos()
-    }
-}
 
 /// A series with autoregressive noise of this deviation and correlation of neighbours.
 struct Series {

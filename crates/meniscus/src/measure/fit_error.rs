@@ -1,11 +1,11 @@
-//! Why no oscillation can be read from a series.
+//! Why a series cannot be fitted.
 
 use std::fmt;
 
-/// Fewer samples than this leave too little over beside five parameters.
+/// Fewer samples than this leave too little over beside up to five parameters.
 const NEEDED: usize = 12;
 
-/// Why no oscillation can be read from a series.
+/// Why a series cannot be fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FitError {
     /// Times and values differ in number.
@@ -29,6 +29,11 @@ pub enum FitError {
     },
     /// A time is not later than the one before.
     NotRising {
+        /// Its place in the series, from zero.
+        index: usize,
+    },
+    /// A value, or the time since the start of a power law, is not above zero.
+    NotPositive {
         /// Its place in the series, from zero.
         index: usize,
     },
@@ -70,6 +75,11 @@ impl fmt::Display for FitError {
                     "the time of sample {index} is not later than that of the one before"
                 )
             }
+            FitError::NotPositive { index } => write!(
+                f,
+                "sample {index}, or its time since the start, is not above zero, as a power law \
+                 is; fit a later part"
+            ),
             FitError::Constant { value } => {
                 write!(f, "all values are {value}; a body at rest has no frequency")
             }

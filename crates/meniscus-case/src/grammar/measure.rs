@@ -1,0 +1,221 @@
+//! What is measured.
+
+use crate::read::{Fields, Node, Sign};
+use crate::units;
+
+/// What is measured beside the usual time series.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measure {
+    /// The fit of a damped oscillation.
+    pub oscillation: Option<Oscillation>,
+    /// The pressure inside a drop at rest.
+    pub static_pressure: Option<Window>,
+    /// How round the first body is, and how dense.
+    pub roundness: Option<Window>,
+    /// The crown of a splash.
+    pub crown: Option<Crown>,
+    /// Whether the largest extent of the first body, and the time until it is back, are read off.
+    pub extremes: bool,
+    /// Pressure sensors.
+    pub sensors: Vec<Sensor>,
+    /// Places where the curvature of the surface is read.
+    pub curvature: Vec<Sensor>,
+}
+
+/// A damped cosine fitted to the semi-axes; its frequency gives the surface tension.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Oscillation {
+    /// Number of lobes of the mode; 2 is the ellipse.
+    pub mode: u32,
+    /// Start of the fit, s.
+    pub from: f64,
+    /// End of the fit, s.
+    pub to: f64,
+}
+
+/// A part of the run, over which something is averaged or fitted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Window {
+    /// Its start, s.
+    pub from: f64,
+    /// Its end, s.
+    pub to: f64,
+}
+
+/// The crown that a drop throws up, with power laws fitted to its radii.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crown {
+    /// The point of the undisturbed surface that the drop falls on, m; in 2D the third
+    /// component is zero.
+    pub impact: [f64; 3],
+    /// When the drop touches it, s: the start of the power laws.
+    pub start: f64,
+    /// Where power laws are fitted.
+    pub window: Window,
+}
+
+/// A place where something is read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensor {
+    /// Its name in the time series.
+    pub name: String,
+    /// Where it is, m; in 2D the third component is zero.
+    pub at: [f64; 3],
+}
+
+pub(super) fn measure(node: &mut Node<'_>, end_time: f64) -> Measure {
+    node.table(|fields| Measure {
+        oscillation: fields.optional(
+            "oscillation",
+            "Fit a damped cosine to the semi-axes, and find the surface tension from its frequency.",
+            |node| {
+                node.table(|fields| {
+                    let about = "Number of lobes of the mode; 2 is the ellipse.";
+                    let mode = fields.or("mode", "2", about, |node| node.whole(2..=16) as u32);
+                    let Window { from, to } = window(fields, end_time, 0.0);
+                    Oscillation { mode, from, to }
+                })
+            },
+        ),
+        static_pressure: fields.optional(
+            "static_pressure",
+            "Average the pressure inside a drop at rest, and find the surface tension from it.",
+            |node| {
+                node.table(|fields| window(fields, end_time, 0.8))
+            },
+        ),
+        roundness: fields.optional(
+            "roundness",
+            "Average how round the first body is, its size by mass and density, and what is at its centre.",
+            |node| node.table(|fields| window(fields, end_time, 0.8)),
+        ),
+        crown: fields.optional(
+            "crown",
+            "Follow the crown of a splash, and fit power laws to the radii of its base and its rim.",
+            |node| node.table(|fields| crown(fields, end_time)),
+        ),
+        extremes: fields
+            .optional(
+                "extremes",
+                "Read off how far the first body reaches along x at most, and when it is back: for large swings.",
+                |node| node.table(|_| ()),
+            )
+            .is_some(),
+        sensors: fields.or("sensors", "[]", "Pressure sensors.", sensors),
+        curvature: fields.or(
+            "curvature",
+            "[]",
+            "Places where the curvature of the surface is read, from the nearest particle.",
+            sensors,
+        ),
+    })
+}
+
+/// A part of the run: from a share of the end time to its end.
+fn window(fields: &mut Fields<'_, '_>, end_time: f64, share: f64) -> Window {
+    let begin = end_time * share;
+    let from = instant(fields, "from", "When it starts.", end_time, begin, None);
+    Window {
+        from,
+        to: end(fields, end_time, from),
+    }
+}
+
+/// The end of a part of the run that starts at `from`.
+fn end(fields: &mut Fields<'_, '_>, end_time: f64, from: f64) -> f64 {
+    let about = "When it ends. Default: end_time.";
+    instant(
+        fields,
+        "to",
+        about,
+        end_time,
+        end_time,
+        Some(("from", from)),
+    )
+}
+
+/// A time within the run, after another where one is given by name.
+fn instant(
+    fields: &mut Fields<'_, '_>,
+    key: &'static str,
+    about: &str,
+    end_time: f64,
+    default: f64,
+    after: Option<(&str, f64)>,
+) -> f64 {
+    let read = |node: &mut Node<'_>| {
+        let time = node.quantity(&units::TIME, Sign::NotNegative);
+        if time > end_time * (1.0 + 1e-9) {
+            node.fail(
+                format!("`{key}` is {time} s"),
+                "after the end of the run",
+                format!("end_time is {end_time} s"),
+            );
+            return f64::NAN;
+        }
+        if let Some((name, earlier)) = after.filter(|(_, earlier)| time <= *earlier) {
+            node.fail(
+                format!("`{key}` is {time} s"),
+                format!("not after `{name}`"),
+                format!("`{name}` is {earlier} s"),
+            );
+        }
+        time
+    };
+    // A default that follows from a wrong value would be a second complaint about one mistake.
+    if default.is_nan() {
+        return fields.optional(key, about, read).unwrap_or(f64::NAN);
+    }
+    fields.or(key, &format!("'{default} s'"), about, read)
+}
+
+fn crown(fields: &mut Fields<'_, '_>, end_time: f64) -> Crown {
+    let about = "The point of the surface at rest that the drop falls on; the last axis points up.";
+    let impact = fields.required("impact", about, |node| {
+        node.vector(&units::LENGTH, Sign::Any)
+    });
+    let about = "When the drop touches it: where the power laws begin.";
+    let start = instant(fields, "start", about, end_time, 0.0, None);
+    let about = "When the fits start. Default: a tenth of the way from `start` to end_time.";
+    let tenth = start + 0.1 * (end_time - start);
+    let from = instant(
+        fields,
+        "from",
+        about,
+        end_time,
+        tenth,
+        Some(("start", start)),
+    );
+    Crown {
+        impact,
+        start,
+        window: Window {
+            from,
+            to: end(fields, end_time, from),
+        },
+    }
+}
+
+fn sensors(node: &mut Node<'_>) -> Vec<Sensor> {
+    let sensors = node.list(0, sensor);
+    for (i, sensor) in sensors.iter().enumerate() {
+        if sensors[..i].iter().any(|other| other.name == sensor.name) {
+            let message = format!("two sensors are called \"{}\"", sensor.name);
+            node.fail(
+                message,
+                "a name stands twice",
+                "give each sensor a name of its own",
+            );
+        }
+    }
+    sensors
+}
+
+fn sensor(node: &mut Node<'_>) -> Sensor {
+    node.table(|fields| Sensor {
+        name: fields.required("name", "Its name in the time series.", |node| node.text()),
+        at: fields.required("at", "Where it is.", |node| {
+            node.vector(&units::LENGTH, Sign::Any)
+        }),
+    })
+}
