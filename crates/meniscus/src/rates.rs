@@ -130,6 +130,8 @@ impl<const D: usize> Rates<D> {
                     self.pairs
                         .sweep(&Continuity, particles, |_| true, &mut self.scalars);
                 }
+                self.walls
+                    .compress(&mut self.pairs, particles, &mut self.scalars);
                 self.diffuse(particles, time + 0.5 * dt);
                 self.smooth_motion(particles, dt);
                 (particles.density.par_iter_mut(), &self.scalars)

@@ -5,7 +5,9 @@ use crate::fluid::Fluid;
 use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::equation_of_state::Tait;
-use crate::physics::wall::{Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled};
+use crate::physics::wall::{
+    Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled,
+};
 use crate::simulation::Simulation;
 use crate::term::Sweep;
 use crate::vector::Vector;
@@ -34,6 +36,7 @@ pub(crate) struct Walls<const D: usize> {
     built: Option<u64>,
     mass: Vec<f64>,
     sums: Vec<Neighbourhood<f64, D>>,
+    compression: Compression,
     loads: Vec<WallLoad>,
     /// Of the last force, s.
     time: f64,
@@ -110,6 +113,19 @@ impl<const D: usize> Walls<D> {
     pub(crate) fn go_halfway(&mut self, pairs: &Pairs<D>, particles: &mut Particles<D>, dt: f64) {
         self.step = dt;
         self.place(pairs, particles, self.time + 0.5 * dt);
+    }
+
+    /// Completes the rates that continuity has found, 1/s, by what walls do to the fluid.
+    pub(crate) fn compress(
+        &mut self,
+        pairs: &mut Pairs<D>,
+        particles: &Particles<D>,
+        rates: &mut [f64],
+    ) {
+        if !self.is_empty() {
+            self.compression
+                .complete(pairs, particles, &self.rows, rates);
+        }
     }
 
     /// Puts the particles where they are at `time`, s, with their velocities.

@@ -33,13 +33,13 @@ fn compressed(spacing: f64) -> [f64; 4] {
 
 #[test]
 fn a_piston_raises_pressure_by_the_equation_of_state() {
-    let (coarse, fine) = (compressed(0.05), compressed(0.025));
-    for k in 0..4 {
-        // The liquid next to a wall is compressed less than its neighbours, since the wall's
-        // velocity does not go on changing behind its surface: an error in proportion to
-        // the smoothing length, beyond which nothing is left.
-        let limit = 2.0 * fine[k] - coarse[k];
-        assert!((limit - 1.0).abs() < 0.02, "{k}: {coarse:?} {fine:?}");
-        assert!((fine[k] - 1.0).abs() < 0.05, "{k}: {fine:?}");
+    for spacing in [0.05, 0.025] {
+        let [resting, moving, least, most] = compressed(spacing);
+        // The volume that the piston takes goes into density in full, so the mean is right at
+        // any spacing; among the layers next to a wall it is spread by the kernel's width.
+        for load in [resting, moving] {
+            assert!((load - 1.0).abs() < 0.015, "{spacing}: {load}");
+        }
+        assert!(least > 0.97 && most < 1.03, "{spacing}: {least} to {most}");
     }
 }

@@ -15,20 +15,23 @@
 //! that of the wall particle: the same, unless the wall turns.
 //!
 //! A wall with free slip takes no part in viscous forces. The equation of continuity sees the
-//! wall's own velocity v_w. Forces between two wall particles do not exist ([`Walled`]), those
+//! wall's own velocity v_w, and is completed by the adjoint of eq. 27 ([`Compression`]). Forces between two wall particles do not exist ([`Walled`]), those
 //! between fluid and wall act on both: m_w times the sum of a wall particle is the force
 //! that the fluid exerts on it.
 //!
 //! - `motion`: how a wall moves
 //! - `extrapolation`: the sums above
+//! - `compression`: what walls do to the density of the fluid
 //! - `walled`: the material of a flow with walls
 //! - `layout`: where wall particles lie
 
+mod compression;
 mod extrapolation;
 pub mod layout;
 mod motion;
 mod walled;
 
+pub use compression::Compression;
 pub use extrapolation::{Extrapolation, Neighbourhood};
 pub use motion::{Motion, Moved};
 pub use walled::Walled;
