@@ -50,7 +50,7 @@ mod walls;
 
 pub use case::{Body, Case};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
-pub use grammar::{Crown, Measure, Oscillation, Output, Sensor, Window};
+pub use grammar::{ContactAngle, Crown, Measure, Oscillation, Output, Sensor, Window};
 pub use memory::BYTES_PER_PARTICLE;
 pub use schema::schema;
 pub use speed::{SpeedScales, default_sound_speed};

@@ -1,5 +1,6 @@
 //! What a finished run shows: numbers beside what they should be.
 
+mod contact_angle;
 mod crown;
 mod roundness;
 
@@ -48,6 +49,7 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     static_pressure(case, series, &mut findings);
     roundness::measure(case, series, &mut findings);
     crown::measure(case, series, &mut findings);
+    contact_angle::measure(case, series, &mut findings);
     common(case, series, &mut findings);
     findings
 }
@@ -105,7 +107,12 @@ fn window(series: &Series, name: &str, from: f64, to: f64) -> Option<(Vec<f64>, 
 
 /// The mean of a column over a time; none where the series has nothing there.
 fn mean(series: &Series, name: &str, over: &Window) -> Option<Estimate> {
-    let (_, values) = window(series, name, over.from, over.to).filter(|w| !w.0.is_empty())?;
+    let (_, mut values) = window(series, name, over.from, over.to)?;
+    // What could not be measured at a time says nothing of the others.
+    values.retain(|value| value.is_finite());
+    if values.is_empty() {
+        return None;
+    }
     let mean = values.iter().sum::<f64>() / values.len() as f64;
     let variance = values.iter().map(|y| (y - mean).powi(2)).sum::<f64>() / values.len() as f64;
     // Samples of a flow at rest are not independent: the spread itself, not that of a mean.

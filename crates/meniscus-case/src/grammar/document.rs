@@ -83,8 +83,11 @@ pub(crate) fn document(node: &mut Node<'_>) -> Draft {
         let physics = fields.or("physics", "{}", about, physics);
         let about = "How often results are written: all optional.";
         let output = fields.or("output", "{}", about, |node| output(node, end_time));
+        let names: Vec<&str> = bodies.iter().map(|body| body.name.as_str()).collect();
         let about = "What is measured beside the usual: all optional.";
-        let measure = fields.or("measure", "{}", about, |node| measure(node, end_time));
+        let measure = fields.or("measure", "{}", about, |node| {
+            measure(node, end_time, &names)
+        });
         Draft {
             title,
             description,

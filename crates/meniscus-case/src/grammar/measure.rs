@@ -14,6 +14,8 @@ pub struct Measure {
     pub roundness: Option<Window>,
     /// The crown of a splash.
     pub crown: Option<Crown>,
+    /// The angle at which a drop meets a wall.
+    pub contact_angle: Option<ContactAngle>,
     /// Whether the largest extent of the first body, and the time until it is back, are read off.
     pub extremes: bool,
     /// Pressure sensors.
@@ -42,12 +44,27 @@ pub struct Window {
     pub to: f64,
 }
 
+/// The shape of the first body as a drop on a flat wall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactAngle {
+    /// A point of the wall's surface, m; in 2D the third component is zero.
+    pub point: [f64; 3],
+    /// Direction from the wall to the liquid, of any length.
+    pub normal: [f64; 3],
+    /// What to compare with, rad.
+    pub expected: Option<f64>,
+    /// Over which time it is averaged.
+    pub window: Window,
+}
+
 /// The crown that a drop throws up, with power laws fitted to its radii.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crown {
     /// The point of the undisturbed surface that the drop falls on, m; in 2D the third
     /// component is zero.
     pub impact: [f64; 3],
+    /// Index of the body that is the layer, whose cavity is measured; none for all liquid.
+    pub layer: Option<usize>,
     /// When the drop touches it, s: the start of the power laws.
     pub start: f64,
     /// Where power laws are fitted.
@@ -63,7 +80,8 @@ pub struct Sensor {
     pub at: [f64; 3],
 }
 
-pub(super) fn measure(node: &mut Node<'_>, end_time: f64) -> Measure {
+/// `bodies` are the names of the bodies.
+pub(super) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[&str]) -> Measure {
     node.table(|fields| Measure {
         oscillation: fields.optional(
             "oscillation",
@@ -92,7 +110,12 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64) -> Measure {
         crown: fields.optional(
             "crown",
             "Follow the crown of a splash, and fit power laws to the radii of its base and its rim.",
-            |node| node.table(|fields| crown(fields, end_time)),
+            |node| node.table(|fields| crown(fields, end_time, bodies)),
+        ),
+        contact_angle: fields.optional(
+            "contact_angle",
+            "Average the angle at which the first body meets a flat wall, and its size there.",
+            |node| node.table(|fields| contact_angle(fields, end_time)),
         ),
         extremes: fields
             .optional(
@@ -169,10 +192,56 @@ fn instant(
     fields.or(key, &format!("'{default} s'"), about, read)
 }
 
-fn crown(fields: &mut Fields<'_, '_>, end_time: f64) -> Crown {
+fn contact_angle(fields: &mut Fields<'_, '_>, end_time: f64) -> ContactAngle {
+    let point = fields.required("point", "A point of the wall's surface.", |node| {
+        node.vector(&units::LENGTH, Sign::Any)
+    });
+    let about = "Direction from the wall to the liquid, of any length.";
+    let normal = fields.required("normal", about, |node| {
+        let normal = node.vector(&units::NUMBER, Sign::Any);
+        if normal == [0.0; 3] {
+            node.fail(
+                "`normal` has no direction".into(),
+                "all components are zero",
+                "for a floor write [0, 1], in 3D [0, 0, 1]",
+            );
+        }
+        normal
+    });
+    let about = "The angle to compare with, through the liquid.";
+    let expected = fields.optional("expected", about, |node| {
+        let angle = node.quantity(&units::ANGLE, Sign::NotNegative);
+        if angle > std::f64::consts::PI {
+            node.fail(
+                format!("`expected` is {:.1} degrees", angle.to_degrees()),
+                "more than 180 degrees",
+                "0 degrees is a liquid that spreads, 180 one that rolls off",
+            );
+        }
+        angle
+    });
+    ContactAngle {
+        point,
+        normal,
+        expected,
+        window: window(fields, end_time, 0.8),
+    }
+}
+
+fn crown(fields: &mut Fields<'_, '_>, end_time: f64, bodies: &[&str]) -> Crown {
     let about = "The point of the surface at rest that the drop falls on; the last axis points up.";
     let impact = fields.required("impact", about, |node| {
         node.vector(&units::LENGTH, Sign::Any)
+    });
+    let about = "The name of the body whose cavity is measured. Default: all liquid.";
+    let layer = fields.optional("layer", about, |node| {
+        let name = node.text();
+        let found = bodies.iter().position(|body| *body == name);
+        if found.is_none() && !name.is_empty() {
+            let help = format!("known bodies: {}", bodies.join(", "));
+            node.fail(format!("there is no body \"{name}\""), "no such body", help);
+        }
+        found
     });
     let about = "When the drop touches it: where the power laws begin.";
     let start = instant(fields, "start", about, end_time, 0.0, None);
@@ -188,6 +257,7 @@ fn crown(fields: &mut Fields<'_, '_>, end_time: f64) -> Crown {
     );
     Crown {
         impact,
+        layer: layer.flatten(),
         start,
         window: Window {
             from,

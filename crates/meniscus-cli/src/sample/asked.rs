@@ -1,8 +1,8 @@
 //! Columns that a case asks for under `[measure]`, each followed through the run.
 
-use meniscus::measure::{Crown, Outline, Sensor, centre_of_mass};
+use meniscus::measure::{Crown, DropOnWall, Outline, Plane, Sensor, centre_of_mass};
 use meniscus::{Particles, Vector, theory};
-use meniscus_case::Case;
+use meniscus_case::{Case, ContactAngle};
 use meniscus_output::Column;
 
 /// Columns of `roundness`, of the first body.
@@ -22,6 +22,15 @@ pub const CROWN: [(&str, &str); 3] = [
     ("crown rim height", "m"),
 ];
 
+/// Columns of `contact_angle`, of the first body.
+pub const CONTACT_ANGLE: [(&str, &str); 5] = [
+    ("contact angle", "deg"),
+    ("contact angle by tangent", "deg"),
+    ("wetted radius", "m"),
+    ("drop height", "m"),
+    ("gap below the drop", "m"),
+];
+
 /// Names and units of the columns.
 pub fn columns(case: &Case) -> Vec<Column> {
     let mut columns = Vec::new();
@@ -32,6 +41,7 @@ pub fn columns(case: &Case) -> Vec<Column> {
     };
     add(case.measure.roundness.is_some(), &ROUNDNESS);
     add(case.measure.crown.is_some(), &CROWN);
+    add(case.measure.contact_angle.is_some(), &CONTACT_ANGLE);
     columns
 }
 
@@ -43,17 +53,51 @@ pub fn row<const D: usize>(case: &Case, liquid: &Particles<D>) -> Vec<f64> {
     }
     if let Some(asked) = &case.measure.crown {
         let impact = Vector::from_3d(asked.impact);
-        let found = Crown::measure(&liquid.position, impact, case.scheme.smoothing_length);
+        let layer = asked
+            .layer
+            .map(|layer| liquid.of_bodies(|body| usize::from(body) == layer));
+        let layer = &layer.as_ref().unwrap_or(liquid).position;
+        let reach = case.scheme.smoothing_length;
+        let found = Crown::measure(layer, &liquid.position, impact, reach);
         row.extend(found.map_or([f64::NAN; CROWN.len()], |crown| {
             [crown.base_radius, crown.rim_radius, crown.rim_height]
         }));
     }
+    if let Some(asked) = &case.measure.contact_angle {
+        row.extend(on_wall(asked, &liquid.of_bodies(|body| body == 0)));
+    }
     row
+}
+
+/// The body as a drop on a wall.
+fn on_wall<const D: usize>(
+    asked: &ContactAngle,
+    body: &Particles<D>,
+) -> [f64; CONTACT_ANGLE.len()] {
+    let (point, normal) = (Vector::from_3d(asked.point), Vector::from_3d(asked.normal));
+    let Some(wall) = Plane::new(point, normal) else {
+        return [f64::NAN; CONTACT_ANGLE.len()];
+    };
+    // As it is, which compression changes.
+    let spacing = (volume(body) / body.len() as f64).powf(1.0 / D as f64);
+    let drop = DropOnWall::measure(&body.position, &body.mass, spacing, &wall);
+    let of_drop = |of: fn(DropOnWall) -> f64| drop.map_or(f64::NAN, of);
+    let heights = body.position.iter().map(|&x| wall.height(x));
+    [
+        of_drop(|drop| drop.circle.value.to_degrees()),
+        of_drop(|drop| drop.tangent.value.to_degrees()),
+        of_drop(|drop| drop.wetted_radius.value),
+        of_drop(|drop| drop.height),
+        heights.fold(f64::INFINITY, f64::min) - 0.5 * spacing,
+    ]
+}
+
+fn volume<const D: usize>(body: &Particles<D>) -> f64 {
+    (0..body.len()).map(|i| body.volume(i)).sum()
 }
 
 fn roundness<const D: usize>(case: &Case, body: &Particles<D>) -> [f64; ROUNDNESS.len()] {
     let outline = Outline::measure(&body.position, &body.mass, case.spacing);
-    let volume: f64 = (0..body.len()).map(|i| body.volume(i)).sum();
     let centre = centre_of_mass(&body.position, &body.mass).map(|position| Sensor {
         position,
         kernel: case.scheme.kernel,
@@ -69,7 +113,7 @@ fn roundness<const D: usize>(case: &Case, body: &Particles<D>) -> [f64; ROUNDNES
         of_outline(|outline| outline.deviation),
         of_outline(|outline| outline.mean_radius),
         of_outline(|outline| outline.enclosing_radius),
-        theory::equivalent_radius(volume, D),
+        theory::equivalent_radius(volume(body), D),
         at_centre(&body.pressure),
         at_centre(&body.density),
     ]

@@ -11,7 +11,7 @@ const SECTORS: usize = 8;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crown {
     /// Radius of the base, m: how far from the axis of impact the first particle lies at the level
-    /// of the layer before the impact. Zero while the drop itself is there.
+    /// of the layer before the impact.
     pub base_radius: f64,
     /// Radius of the rim, m: how far from the axis the highest particle lies.
     pub rim_radius: f64,
@@ -21,7 +21,8 @@ pub struct Crown {
 
 impl Crown {
     /// Measures the splash about `impact`, the point (m) of the undisturbed surface that the drop
-    /// falls on. What counts as being at its level lies within `reach` (m; a smoothing
+    /// falls on, from the particles of the `layer`, for the base, and those of all `liquid`, for
+    /// the rim: the drop itself stays at the level for a while. What counts as being at its level lies within `reach` (m; a smoothing
     /// length in Gonzalez's thesis, sec. 4.6, half a spacing at least).
     ///
     /// All three are means over the two sides (2D) or eight sectors about the
@@ -29,7 +30,8 @@ impl Crown {
     /// spray, and what it leaves in the cavity narrows the base. The base is about half a
     /// spacing wide of the surface of the cavity. `None` where nothing is at the level.
     pub fn measure<const D: usize>(
-        positions: &[Vector<f64, D>],
+        layer: &[Vector<f64, D>],
+        liquid: &[Vector<f64, D>],
         impact: Vector<f64, D>,
         reach: f64,
     ) -> Option<Self> {
@@ -37,20 +39,26 @@ impl Crown {
         let mut base = vec![f64::INFINITY; sectors];
         // Height above the level, and distance from the axis.
         let mut rim = vec![(f64::NEG_INFINITY, 0.0); sectors];
-        for &x in positions {
+        // Distance from the axis, height, and which sector.
+        let place = |x: Vector<f64, D>| {
             let arm = x - impact;
-            let height = arm[D - 1];
             let [across, along] = [arm[0], if D == 2 { 0.0 } else { arm[1] }];
-            let radius = across.hypot(along);
             let turned = (along.atan2(across) + PI) / TAU;
             let sector = if D == 2 {
                 usize::from(across < 0.0)
             } else {
                 ((turned * sectors as f64) as usize).min(sectors - 1)
             };
+            (across.hypot(along), arm[D - 1], sector)
+        };
+        for &x in layer {
+            let (radius, height, sector) = place(x);
             if height.abs() < reach {
                 base[sector] = base[sector].min(radius);
             }
+        }
+        for &x in liquid {
+            let (radius, height, sector) = place(x);
             if height > rim[sector].0 {
                 rim[sector] = (height, radius);
             }
@@ -91,9 +99,9 @@ mod tests {
             let impact = Vector([3.0, 40.0]);
             let mut x = cut(20.0, angle, jitter, splash::<2>);
             x.iter_mut().for_each(|x| *x += impact);
-            let plane = Crown::measure(&x, impact, 1.0).unwrap();
+            let plane = Crown::measure(&x, &x, impact, 1.0).unwrap();
             let x = cut(16.0, angle, jitter, splash::<3>);
-            let space = Crown::measure(&x, Vector::ZERO, 1.0).unwrap();
+            let space = Crown::measure(&x, &x, Vector::ZERO, 1.0).unwrap();
             for found in [plane, space] {
                 assert!((found.base_radius - 10.3).abs() < 0.5, "{found:?}");
                 assert!((found.rim_height - 7.5).abs() < 0.5, "{found:?}");
@@ -105,10 +113,8 @@ mod tests {
 
     #[test]
     fn a_layer_below_its_level_has_no_base() {
-        assert_eq!(
-            Crown::measure(&[Vector([0.0, -3.0])], Vector::ZERO, 1.0),
-            None
-        );
-        assert_eq!(Crown::measure::<3>(&[], Vector::ZERO, 1.0), None);
+        let x = [Vector([0.0, -3.0])];
+        assert_eq!(Crown::measure(&x, &x, Vector::ZERO, 1.0), None);
+        assert_eq!(Crown::measure::<3>(&[], &[], Vector::ZERO, 1.0), None);
     }
 }

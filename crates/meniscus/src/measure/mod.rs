@@ -9,7 +9,8 @@
 //! - totals over all particles: [`centre_of_mass`], [`linear_momentum`], [`kinetic_energy`], ...
 //! - the body's shape: [`PrincipalAxes`], [`semi_axes_by_tips`], [`surface_energy`]
 //! - how round a body is, by direction: [`Outline`]
-//! - a splash: [`Crown`]
+//! - a splash: [`Crown`]; a drop on a wall: [`DropOnWall`]
+//! - which particles lie at a free surface: [`surface_particles`]
 //! - virtual pressure sensors: [`Sensor`]
 //! - pressure against radius, and what surface tension it shows: [`radial_profile`],
 //!   [`StaticSurfaceTension`]
@@ -17,11 +18,14 @@
 //!   [`OscillationSurfaceTension`]
 //! - a fitted power law: [`PowerLaw`]
 
+mod circle;
 mod compression_energy;
+mod contact_angle;
 mod crown;
 mod damped_cosine;
 mod estimate;
 mod fit_error;
+mod foot;
 mod oscillation;
 mod outline;
 mod power_law;
@@ -30,9 +34,11 @@ mod radial;
 mod samples;
 mod semi_axes;
 mod sensor;
+mod surface;
 mod totals;
 
 pub use compression_energy::{compression_energy, specific_compression_energy};
+pub use contact_angle::DropOnWall;
 pub use crown::Crown;
 pub use damped_cosine::DampedCosine;
 pub use estimate::Estimate;
@@ -45,6 +51,7 @@ pub use semi_axes::{
     PrincipalAxes, semi_axes_along_coordinates, semi_axes_by_tips, surface_energy,
 };
 pub use sensor::{Reading, Sensor};
+pub use surface::{Plane, surface_particles};
 pub use totals::{
     angular_momentum, centre_of_mass, kinetic_energy, linear_momentum, maximum_speed, range,
 };
