@@ -40,6 +40,7 @@ mod doubts;
 mod grammar;
 mod memory;
 mod overlap;
+mod pairwise;
 mod read;
 mod resolve;
 mod schema;

@@ -11,6 +11,7 @@ use crate::case::Case;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::doubts::doubts;
 use crate::grammar::{Draft, document};
+use crate::pairwise;
 use crate::read::{Context, Echo, Node};
 use crate::speed::{SpeedScales, default_sound_speed};
 use crate::walls::largest_speed;
@@ -95,7 +96,12 @@ fn assemble(
     choose_sound_speeds(&draft, &speeds, &mut fluids, echo, problems);
     warn_of_idle_surface_tension(&draft, problems);
     problems.extend(doubts(&draft, &volumes));
-    let any_tension = fluids.iter().any(|fluid| fluid.surface_tension > 0.0);
+    pairwise::check(&draft, problems);
+    if problems.iter().any(|p| p.severity == Severity::Error) {
+        return None;
+    }
+    let any_tension =
+        pairwise::has_gamma(&draft) || fluids.iter().any(|fluid| fluid.surface_tension > 0.0);
     let stem = Path::new(name).file_stem();
     let physics = draft.physics;
     Some(Case {

@@ -46,6 +46,7 @@ pub(crate) fn lay_all(
                         body: index,
                         slip: wall.slip,
                         motion: wall.motion.clone(),
+                        adhesion: wall.adhesion,
                     },
                 ));
                 particles.extend(positions.into_iter().map(|position| Particle {

@@ -104,6 +104,7 @@ fn parameters(case: &Case) -> Vec<(String, String)> {
         match &scheme.surface_tension {
             Some(SurfaceTension::JancikHyhlik(_)) => "Jancik and Hyhlik".into(),
             Some(SurfaceTension::Continuum(_)) => "continuum surface force".into(),
+            Some(SurfaceTension::Pairwise(model)) => format!("pairwise forces ({})", model.name()),
             None => "none".into(),
         },
     );

@@ -296,6 +296,11 @@ pub fn frame<const D: usize>(simulation: &Simulation<D>) -> Frame {
             surface.normal[i].norm()
         }));
     }
+    if surface.virial_pressure.len() == p.len() {
+        fields.push(scalar("virial pressure", "Pa", &|i| {
+            surface.virial_pressure[i]
+        }));
+    }
     Frame {
         time: simulation.time(),
         step: simulation.steps(),

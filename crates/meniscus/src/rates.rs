@@ -15,6 +15,8 @@ use crate::physics::momentum::{
 use crate::physics::summation::Summation;
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
+use crate::physics::surface_tension::pairwise::Pull;
+use crate::physics::surface_tension::pairwise::estimate::Resolution;
 use crate::physics::surface_tension::surface::Surface;
 use crate::physics::velocity_smoothing::VelocitySmoothing;
 use crate::physics::viscosity::ViscosityForm;
@@ -68,6 +70,8 @@ pub(crate) struct Rates<const D: usize> {
     pub(crate) fluids: Vec<Fluid>,
     pub(crate) pairs: Pairs<D>,
     pub(crate) surface: Surface<D>,
+    /// Forces of pairs, where surface tension is of them.
+    pull: Option<Pull<D>>,
     viscous_stress: ViscousStress<D>,
     diffusing: Diffusing<D>,
     /// For the particles at the surface alone.
@@ -94,13 +98,28 @@ impl<const D: usize> Rates<D> {
             Some(SurfaceTension::Continuum(model)) => model.curvature_smoothing,
             _ => 1.0,
         };
+        let spacing = mean_spacing(&fluids, particles);
         let at_surface = pairs.sibling(
             surface_smoothing * scheme.smoothing_length,
-            mean_spacing(&fluids, particles),
+            spacing,
             pairs.domain(),
         );
+        let pull = match scheme.surface_tension {
+            Some(SurfaceTension::Pairwise(model)) => {
+                let resolution = Resolution {
+                    kernel: scheme.kernel,
+                    smoothing_length: scheme.smoothing_length,
+                    spacing,
+                    dimension: D,
+                };
+                let walls = &scheme.walls;
+                Some(Pull::new(model, resolution, &fluids, walls, particles))
+            }
+            _ => None,
+        };
         Self {
             at_surface,
+            pull,
             viscous_stress: ViscousStress::default(),
             diffusing: Diffusing::default(),
             equations_of_state: fluids.iter().map(Tait::new).collect(),
@@ -229,7 +248,10 @@ impl<const D: usize> Rates<D> {
             self.walls.bear(particles, &mut acceleration);
             self.walls.show(particles);
         }
-        if self.scheme.surface_tension.is_some() {
+        if self.pull.is_some() {
+            self.pull_pairs(particles, &mut acceleration);
+            self.walls.bear(particles, &mut acceleration);
+        } else if self.scheme.surface_tension.is_some() {
             self.walls.hide(particles, |_| true);
             self.pull_surface(particles, &mut acceleration);
             self.walls.show(particles);
@@ -313,8 +335,29 @@ impl<const D: usize> Rates<D> {
                     acceleration,
                 );
             }
-            None => {}
+            Some(SurfaceTension::Pairwise(_)) | None => {}
         }
+    }
+
+    /// Adds the acceleration by forces of pairs, walls among them, m/s^2.
+    fn pull_pairs(&mut self, particles: &mut Particles<D>, acceleration: &mut [Vector<f64, D>]) {
+        let Some(pull) = &mut self.pull else {
+            return;
+        };
+        let builds = self.pairs.builds();
+        pull.charge(&mut self.pairs, particles, builds);
+        if pull.has_curvature() {
+            self.walls.hide(particles, |_| true);
+            pull.find_normals(&mut self.pairs, particles);
+            self.walls.show(particles);
+        }
+        pull.accelerate(&mut self.pairs, particles, &mut self.surface, acceleration);
+    }
+
+    /// The square of the largest frequency of stiff forces, 1/s^2, where the largest acceleration
+    /// is `largest`, m/s^2.
+    pub(crate) fn stiffness(&self, largest: f64) -> f64 {
+        (self.pull.as_ref()).map_or(0.0, |pull| pull.stiffness(largest))
     }
 
     /// Part of the acceleration of row `i` that surface tension made, m/s^2.

@@ -1,5 +1,6 @@
 //! What a simulation starts from, and whether it can.
 
+use std::f64::consts::PI;
 use std::fmt;
 
 use crate::fluid::Fluid;
@@ -7,6 +8,10 @@ use crate::pairs::{Domain, Precision};
 use crate::particles::Particle;
 use crate::physics::body_force::BodyForce;
 use crate::physics::surface_tension::SurfaceTension;
+use crate::physics::surface_tension::pairwise::Pairwise;
+use crate::physics::surface_tension::pairwise::akinci::Akinci;
+use crate::physics::surface_tension::pairwise::lennard_jones::LennardJones;
+use crate::physics::wall::Adhesion;
 use crate::scheme::{DensityDiffusion, DensityForm, Scheme, TimeStep};
 
 /// Spacings that the kernel must reach for the colour of a surface to fall off over more than
@@ -128,6 +133,7 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
             );
         }
     }
+    validate_pairwise(setup)?;
     for (name, value) in at_least_zero {
         if !(value >= 0.0 && value.is_finite()) {
             return complain(format!(
@@ -182,4 +188,55 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
         }
     }
     Ok(())
+}
+
+/// What forces of pairs, and walls that attract, ask of a setup.
+fn validate_pairwise<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError> {
+    let complain = |what: String| Err(SetupError(what));
+    let scheme = &setup.scheme;
+    let model = match &scheme.surface_tension {
+        Some(SurfaceTension::Pairwise(model)) => Some(model),
+        _ => None,
+    };
+    for (index, wall) in scheme.walls.iter().enumerate() {
+        let sound = match wall.adhesion {
+            Adhesion::None => true,
+            Adhesion::Coefficient(beta) => beta >= 0.0 && beta.is_finite(),
+            Adhesion::ContactAngle(angle) => (0.0..=PI).contains(&angle),
+        };
+        if !sound {
+            return complain(format!(
+                "the adhesion of wall {index} must be a coefficient, finite and not negative, or an angle from 0 to pi, found {:?}",
+                wall.adhesion
+            ));
+        }
+        if wall.adhesion != Adhesion::None && model.is_none() {
+            return complain(format!(
+                "wall {index} has adhesion, which only pairwise forces of surface tension know"
+            ));
+        }
+        if matches!(wall.adhesion, Adhesion::Coefficient(_))
+            && model.is_some_and(|model| model.akinci().is_none())
+        {
+            return complain(format!(
+                "the adhesion of wall {index} is a coefficient of Akinci's model: give a contact angle"
+            ));
+        }
+    }
+    let support = scheme.kernel.support() * scheme.smoothing_length;
+    match model {
+        Some(Pairwise::Akinci(Akinci {
+            gamma: Some(gamma), ..
+        })) if !(*gamma >= 0.0 && gamma.is_finite()) => complain(format!(
+            "gamma of pairwise forces must be finite and not negative, found {gamma}"
+        )),
+        Some(Pairwise::LennardJones(LennardJones { rest_distance }))
+            if !(*rest_distance > 0.0 && *rest_distance < support) =>
+        {
+            complain(format!(
+                "the rest distance of Lennard-Jones forces must be positive and shorter than the kernel's support, {support} m, found {rest_distance} m"
+            ))
+        }
+        _ => Ok(()),
+    }
 }

@@ -180,13 +180,15 @@ impl<const D: usize> Simulation<D> {
                 .sqrt()
         };
         self.largest_speed = largest(&self.particles.velocity);
+        let largest_acceleration = largest(&self.particles.acceleration);
         self.limits = StepLimits::new(
             &self.rates.fluids,
             scheme.smoothing_length,
             scheme.kernel.support() * scheme.smoothing_length,
             self.largest_speed,
-            largest(&self.particles.acceleration),
-        );
+            largest_acceleration,
+        )
+        .with_stiffness(self.rates.stiffness(largest_acceleration));
         self.next_step = match scheme.time_step {
             TimeStep::Fixed(dt) => dt,
             TimeStep::Adaptive { safety } => safety * self.limits.governing().1,

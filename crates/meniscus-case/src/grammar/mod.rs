@@ -2,7 +2,7 @@
 //!
 //! - `document`: the top of the file
 //! - `fluid`, `body`, `shape`, `arrangement`: what there is at the start; `wall`: around it
-//! - `physics`: what is solved
+//! - `physics`: what is solved; `pairwise`: surface tension by forces of pairs
 //! - `output`: how often results are written; `measure`: what is measured
 
 mod arrangement;
@@ -11,6 +11,7 @@ mod document;
 mod fluid;
 mod measure;
 mod output;
+mod pairwise;
 mod physics;
 mod shape;
 mod wall;

@@ -10,6 +10,7 @@ use meniscus::scheme::{
     SurfaceTension, TimeStep, ViscosityForm,
 };
 
+use super::pairwise;
 use crate::read::{Choice, Node, Sign};
 use crate::units;
 
@@ -191,6 +192,31 @@ const SURFACE_TENSION: &[Choice<Option<SurfaceTension>>] = &[
         "continuum",
         "Continuum surface force on a free surface or between two fluids, of Morris, corrected by Qiang, Chen and Gao.",
         |node| Some(SurfaceTension::Continuum(continuum(node))),
+    ),
+    Choice::new(
+        "akinci",
+        "Forces between pairs of particles: cohesion, curvature and adhesion of Akinci, Akinci and Teschner.",
+        |node| Some(SurfaceTension::Pairwise(pairwise::akinci(node))),
+    ),
+    Choice::new(
+        "cosine",
+        "Forces between pairs of particles: a cosine, of Tartakovsky and Meakin.",
+        |node| Some(SurfaceTension::Pairwise(pairwise::cosine(node))),
+    ),
+    Choice::new(
+        "gaussian-pair",
+        "Forces between pairs of particles: two Gaussians, of Tartakovsky and Panchenko.",
+        |node| Some(SurfaceTension::Pairwise(pairwise::gaussian_pair(node))),
+    ),
+    Choice::new(
+        "kordilla",
+        "Forces between pairs of particles: two splines, of Kordilla, Tartakovsky and Geyer.",
+        |node| Some(SurfaceTension::Pairwise(pairwise::kordilla(node))),
+    ),
+    Choice::new(
+        "lennard-jones",
+        "Forces between pairs of particles: of the Lennard-Jones potential.",
+        |node| Some(SurfaceTension::Pairwise(pairwise::lennard_jones(node))),
     ),
     Choice::new("none", "No surface tension.", |node| node.table(|_| None)),
 ];

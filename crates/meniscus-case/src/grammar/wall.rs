@@ -1,14 +1,15 @@
 //! Solid walls.
 
+use std::f64::consts::PI;
 use std::ops::Range;
 
 use meniscus::Vector;
 use meniscus::physics::wall::layout::{Face, Side};
-use meniscus::scheme::{Motion, Slip};
+use meniscus::scheme::{Adhesion, Motion, Slip};
 
 use super::body::fluid_of;
 use super::fluid::DraftFluid;
-use crate::read::{Choice, Node, Sign};
+use crate::read::{Choice, Fields, Node, Sign};
 use crate::units;
 
 /// A wall as read, before its particles are laid.
@@ -19,6 +20,9 @@ pub(crate) struct DraftWall {
     pub shape_span: Range<usize>,
     pub slip: Slip,
     pub motion: Motion,
+    pub adhesion: Adhesion,
+    /// Where the adhesion stands, if the file gives any.
+    pub adhesion_span: Option<Range<usize>>,
 }
 
 /// The surface of a wall, in the dimensions of its case.
@@ -103,6 +107,7 @@ fn wall<const D: usize>(
         let motion = fields.or("motion", "'rest'", "How it moves.", |node| {
             node.choice("motion", &motions::<D>())
         });
+        let (adhesion, adhesion_span) = adhesion(fields);
         DraftWall {
             name,
             fluid,
@@ -110,8 +115,46 @@ fn wall<const D: usize>(
             shape_span,
             slip,
             motion,
+            adhesion,
+            adhesion_span,
         }
     })
+}
+
+/// How a wall attracts the fluid, and where that stands.
+fn adhesion(fields: &mut Fields<'_, '_>) -> (Adhesion, Option<Range<usize>>) {
+    let mut span = None;
+    let about = "beta of Akinci's adhesion, in the units of gamma. Default: none.";
+    let beta = fields.optional("adhesion", about, |node| {
+        span = Some(node.span());
+        node.number(Sign::NotNegative)
+    });
+    let about = "The contact angle that pairwise forces are to give, instead of `adhesion`.";
+    let angle = fields.optional("contact_angle", about, |node| {
+        span = Some(node.span());
+        let angle = node.quantity(&units::ANGLE, Sign::NotNegative);
+        if angle > PI * (1.0 + 1e-9) {
+            node.fail(
+                format!("`contact_angle` is {:.1} degrees", angle.to_degrees()),
+                "more than 180 degrees",
+                "0 deg is complete wetting, 180 deg none at all",
+            );
+        }
+        if beta.is_some() && !node.context.describing {
+            node.fail(
+                "a wall has either `adhesion` or `contact_angle`".into(),
+                "this is the second of them",
+                "leave one out: the angle gives the coefficient",
+            );
+        }
+        angle.min(PI)
+    });
+    let adhesion = match (beta, angle) {
+        (_, Some(angle)) => Adhesion::ContactAngle(angle),
+        (Some(beta), None) => Adhesion::Coefficient(beta),
+        (None, None) => Adhesion::None,
+    };
+    (adhesion, span)
 }
 
 fn shape<const D: usize>(node: &mut Node<'_>) -> WallShape<D> {

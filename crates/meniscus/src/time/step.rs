@@ -5,8 +5,10 @@
 //! - force:     0.25 sqrt(h / |a|)
 //! - viscous:   0.125 h^2 / nu
 //! - capillary: 0.25 sqrt(rho h^3 / (2 pi sigma))
+//! - pairwise:  0.5 / omega
 //!
-//! The last three as in Morris (2000), Int. J. Numer. Meth. Fluids 33, 333.
+//! where omega is the frequency of particles that swing by stiff forces of pairs (Lennard-Jones);
+//! a leapfrog bears 2 / omega. Force, viscous and capillary as in Morris (2000), Int. J. Numer. Meth. Fluids 33, 333.
 //! The first is stated by the support, since kernels of different support
 //! differ in h at the same resolution: 0.3 h / c for a support of 3 h, 0.2 h / c
 //! for 2 h.
@@ -26,6 +28,8 @@ pub struct StepLimits {
     pub viscous: f64,
     /// The shortest capillary wave.
     pub capillary: f64,
+    /// Stiff forces between pairs.
+    pub pairwise: f64,
 }
 
 /// An effect that limits the step.
@@ -39,6 +43,8 @@ pub enum Limit {
     Viscous,
     /// Surface tension.
     Capillary,
+    /// Stiff forces between pairs.
+    Pairwise,
 }
 
 impl fmt::Display for Limit {
@@ -48,6 +54,7 @@ impl fmt::Display for Limit {
             Limit::Force => "force",
             Limit::Viscous => "viscous",
             Limit::Capillary => "capillary",
+            Limit::Pairwise => "pairwise",
         })
     }
 }
@@ -72,16 +79,26 @@ impl StepLimits {
                 let period = std::f64::consts::TAU * fluid.surface_tension;
                 0.25 * (fluid.density * h.powi(3) / period).sqrt()
             }),
+            pairwise: f64::INFINITY,
+        }
+    }
+
+    /// The same with stiff forces of this square of a frequency, 1/s^2.
+    pub fn with_stiffness(self, stiffness: f64) -> Self {
+        Self {
+            pairwise: 0.5 / stiffness.sqrt(),
+            ..self
         }
     }
 
     /// Each limit by name.
-    pub fn all(&self) -> [(Limit, f64); 4] {
+    pub fn all(&self) -> [(Limit, f64); 5] {
         [
             (Limit::Acoustic, self.acoustic),
             (Limit::Force, self.force),
             (Limit::Viscous, self.viscous),
             (Limit::Capillary, self.capillary),
+            (Limit::Pairwise, self.pairwise),
         ]
     }
 

@@ -48,13 +48,13 @@ pub fn shaken<const D: usize>(pressure: PressureForm) -> Setup<D> {
         phase: 0.3,
     };
     setup.scheme.walls.push(Wall {
-        body: 2,
         slip: Slip::FreeSlip,
         motion: Motion::Oscillation {
             amplitude: [0.02, 0.0, 0.0],
             frequency: 3.0,
             phase: 0.3,
         },
+        ..Wall::new(2)
     });
     setup
 }

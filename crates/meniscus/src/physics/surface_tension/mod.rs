@@ -2,6 +2,7 @@
 //!
 //! - [`jancik_hyhlik`]: continuum surface force of a free surface
 //! - [`continuum`]: continuum surface force of a free surface or between two fluids
+//! - [`pairwise`]: forces between pairs of particles, that of walls among them
 //!
 //! What they share:
 //!
@@ -14,10 +15,12 @@ pub mod curvature;
 pub mod gradient;
 pub mod jancik_hyhlik;
 pub mod matrix;
+pub mod pairwise;
 pub mod surface;
 
 use continuum::Continuum;
 use jancik_hyhlik::JancikHyhlik;
+use pairwise::Pairwise;
 
 /// A model of surface tension.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +29,8 @@ pub enum SurfaceTension {
     JancikHyhlik(JancikHyhlik),
     /// Continuum surface force of Morris, or of Qiang, Chen and Gao.
     Continuum(Continuum),
+    /// Forces between pairs of particles.
+    Pairwise(Pairwise),
 }
 
 impl Default for SurfaceTension {

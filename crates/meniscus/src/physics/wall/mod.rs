@@ -36,6 +36,8 @@ pub use extrapolation::{Extrapolation, Neighbourhood};
 pub use motion::{Motion, Moved};
 pub use walled::Walled;
 
+pub use super::surface_tension::pairwise::strength::Adhesion;
+
 /// What a wall does to the flow along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slip {
@@ -54,6 +56,8 @@ pub struct Wall {
     pub slip: Slip,
     /// How it moves.
     pub motion: Motion,
+    /// How it attracts the fluid, where surface tension is by pairwise forces.
+    pub adhesion: Adhesion,
 }
 
 impl Wall {
@@ -63,6 +67,7 @@ impl Wall {
             body,
             slip: Slip::NoSlip,
             motion: Motion::Rest,
+            adhesion: Adhesion::None,
         }
     }
 }

@@ -1,0 +1,76 @@
+//! What forces between pairs of particles ask of the rest of a case.
+
+use std::ops::Range;
+
+use meniscus::physics::surface_tension::pairwise::Pairwise;
+use meniscus::scheme::{Adhesion, SurfaceTension};
+
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::grammar::Draft;
+
+/// The model of a case, if it is of pairwise forces.
+pub(crate) fn model(draft: &Draft) -> Option<Pairwise> {
+    match draft.physics.surface_tension {
+        Some(SurfaceTension::Pairwise(model)) => Some(model),
+        _ => None,
+    }
+}
+
+/// Whether the strength of the forces is given by gamma, and not by surface tension.
+pub(crate) fn has_gamma(draft: &Draft) -> bool {
+    model(draft).is_some_and(|model| model.akinci().is_some_and(|akinci| akinci.gamma.is_some()))
+}
+
+/// Walls that attract what can not be attracted, and surface tension beside gamma.
+pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
+    let mut say = |severity, span: &Range<usize>, message: String, label: &str, help: &str| {
+        problems.push(Diagnostic {
+            severity,
+            message,
+            label: label.into(),
+            help: Some(help.into()),
+            span: Some(span.clone()),
+        });
+    };
+    let model = model(draft);
+    for wall in &draft.walls {
+        let Some(span) = &wall.adhesion_span else {
+            continue;
+        };
+        let name = &wall.name;
+        let is_coefficient = matches!(wall.adhesion, Adhesion::Coefficient(_));
+        match model {
+            None => say(
+                Severity::Error,
+                span,
+                format!("\"{name}\" can not attract the fluid"),
+                "only pairwise forces know adhesion",
+                "choose one of them, such as surface_tension = \"akinci\" under [physics]",
+            ),
+            Some(model) if is_coefficient && model.akinci().is_none() => say(
+                Severity::Error,
+                span,
+                format!("\"{name}\" has a coefficient of another model"),
+                "`adhesion` is beta of \"akinci\"",
+                "give `contact_angle` instead",
+            ),
+            Some(_) => {}
+        }
+    }
+    if has_gamma(draft) {
+        for fluid in &draft.fluids {
+            if let (true, Some(span)) = (
+                fluid.fluid.surface_tension > 0.0,
+                &fluid.surface_tension_span,
+            ) {
+                say(
+                    Severity::Warning,
+                    span,
+                    "this surface tension does nothing but to be compared with".into(),
+                    "[physics] surface_tension has `gamma`",
+                    "leave `gamma` out, for the one that gives this surface tension",
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! The forces of a model in a step.
+
+use super::Pairwise;
+use super::estimate::Resolution;
+use super::term::{Charge, PairwiseTerm, Pulled, VolumeGradient};
+use crate::fluid::Fluid;
+use crate::particles::Particles;
+use crate::physics::surface_tension::gradient::Smoothed;
+use crate::physics::surface_tension::surface::Surface;
+use crate::physics::wall::Wall;
+use crate::term::Sweep;
+use crate::vector::Vector;
+
+/// A model made ready for the fluids and walls of a flow.
+#[derive(Debug)]
+pub(crate) struct Pull<const D: usize> {
+    model: Pairwise,
+    resolution: Resolution,
+    /// Root of G, and density at rest, of each fluid.
+    fluids: Vec<(f64, f64)>,
+    /// Of each body: B, for a wall.
+    walls: Vec<Option<f64>>,
+    charges: Vec<Charge>,
+    /// Of how many lists the charges are.
+    built: Option<u64>,
+    weights: Vec<f64>,
+    normals: Vec<Vector<f64, D>>,
+    sums: Vec<Pulled<f64, D>>,
+}
+
+impl<const D: usize> Pull<D> {
+    pub(crate) fn new(
+        model: Pairwise,
+        resolution: Resolution,
+        fluids: &[Fluid],
+        walls: &[Wall],
+        particles: &Particles<D>,
+    ) -> Self {
+        let charge = |fluid| (model.strength(fluid, &resolution).sqrt(), fluid.density);
+        let bodies = walls.iter().map(|wall| usize::from(wall.body) + 1).max();
+        let mut of_walls = vec![None; bodies.unwrap_or(0)];
+        for wall in walls {
+            let first = particles.body.iter().position(|&body| body == wall.body);
+            let fluid = &fluids[first.map_or(0, |row| usize::from(particles.fluid[row]))];
+            let strength = model.adhesion_strength(wall.adhesion, fluid, &resolution);
+            of_walls[usize::from(wall.body)] = Some(strength);
+        }
+        Self {
+            fluids: fluids.iter().map(charge).collect(),
+            model,
+            resolution,
+            walls: of_walls,
+            charges: Vec::new(),
+            built: None,
+            weights: Vec::new(),
+            normals: Vec::new(),
+            sums: Vec::new(),
+        }
+    }
+
+    /// B of a particle's wall; none for a fluid.
+    fn wall(&self, particles: &Particles<D>, row: usize) -> Option<f64> {
+        let wall = self.walls.get(usize::from(particles.body[row]));
+        wall.copied().flatten()
+    }
+
+    /// What each particle brings, where particles were sorted anew: `builds` counts their lists.
+    pub(crate) fn charge(
+        &mut self,
+        sweep: &mut impl Sweep<D>,
+        particles: &Particles<D>,
+        builds: u64,
+    ) {
+        if self.built.replace(builds) == Some(builds) {
+            return;
+        }
+        let rows = 0..particles.len();
+        if self.walls.iter().flatten().any(|&strength| strength != 0.0) {
+            let is_wall: Vec<f64> = (rows.clone())
+                .map(|row| f64::from(u8::from(self.wall(particles, row).is_some())))
+                .collect();
+            let term = Smoothed { weighted: &is_wall };
+            let near = |rows: std::ops::Range<usize>| is_wall[rows].contains(&1.0);
+            sweep.sweep(&term, particles, near, &mut self.weights);
+        } else {
+            self.weights.clear();
+        }
+        let charges = rows.map(|row| {
+            let (cohesion, rest_density) = self.fluids[usize::from(particles.fluid[row])];
+            let Some(strength) = self.wall(particles, row) else {
+                return Charge {
+                    cohesion,
+                    is_fluid: 1.0,
+                    wetting: 0.0,
+                    rest_density,
+                };
+            };
+            let sampled = self.weights.get(row).map_or(0.0, |w| rest_density / w);
+            Charge {
+                wetting: strength * sampled / particles.mass[row],
+                rest_density,
+                ..Charge::default()
+            }
+        });
+        self.charges = charges.collect();
+    }
+
+    /// Whether normals are part of the model.
+    pub(crate) fn has_curvature(&self) -> bool {
+        self.model.curvature_of_one(&self.resolution) != (0.0, 0.0)
+    }
+
+    /// n of each particle, from the fluid alone: walls must be hidden.
+    pub(crate) fn find_normals(&mut self, sweep: &mut impl Sweep<D>, particles: &Particles<D>) {
+        sweep.sweep(&VolumeGradient, particles, |_| true, &mut self.normals);
+        let support = self.resolution.support();
+        self.normals.iter_mut().for_each(|n| *n = *n * support);
+    }
+
+    fn term(&self, cohesion: bool) -> PairwiseTerm<'_, D> {
+        PairwiseTerm {
+            model: self.model,
+            support: self.resolution.support(),
+            cohesion,
+            deficiency: self.model.akinci().is_some(),
+            curvature: self.model.curvature_of_one(&self.resolution),
+            charges: &self.charges,
+            normals: &self.normals,
+        }
+    }
+
+    /// Adds the acceleration by all forces, m/s^2; the virial pressure goes to `surface`.
+    pub(crate) fn accelerate(
+        &mut self,
+        sweep: &mut impl Sweep<D>,
+        particles: &Particles<D>,
+        surface: &mut Surface<D>,
+        acceleration: &mut [Vector<f64, D>],
+    ) {
+        let mut sums = std::mem::take(&mut self.sums);
+        sweep.sweep(&self.term(true), particles, |_| true, &mut sums);
+        surface.force.clear();
+        surface.virial_pressure.clear();
+        for (row, sum) in sums.iter().enumerate() {
+            let share = self.model.share(particles.mass[row]);
+            let (pull, density) = (sum.acceleration * share, particles.density[row]);
+            acceleration[row] += pull;
+            // The force on a wall is what it bears; its density is no fluid's.
+            let fluid = self.charges[row].is_fluid;
+            surface.force.push(pull * (density * fluid));
+            let virial = sum.virial * share * density / (2.0 * D as f64);
+            surface.virial_pressure.push(fluid * virial);
+        }
+        surface.net_force = surface.sum_of_forces(particles);
+        self.sums = sums;
+    }
+
+    /// The square of the largest frequency, 1/s^2, of particles that swing by these forces, where
+    /// it is not slow against the sound that the particles carry; zero else.
+    pub(crate) fn stiffness(&self, largest_acceleration: f64) -> f64 {
+        let Pairwise::LennardJones(model) = self.model else {
+            return 0.0;
+        };
+        let strongest = (self.fluids.iter())
+            .map(|(root, density)| root * root * density * self.resolution.spacing.powi(D as i32))
+            .fold(0.0, f64::max);
+        model.stiffness(strongest, largest_acceleration, D)
+    }
+}
