@@ -21,13 +21,13 @@ pub(super) fn akinci(node: &mut Node<'_>) -> Pairwise {
         ),
         curvature: fields.or(
             "curvature",
-            "'consistent'",
-            "The force by differences of normals: in the units of cohesion, as printed, or none.",
+            "'none'",
+            "The force by differences of normals: none, in the units of cohesion, or as printed.",
             |node| {
                 let names = [
+                    ("none", Curvature::None),
                     ("consistent", Curvature::Consistent),
                     ("printed", Curvature::Printed),
-                    ("none", Curvature::None),
                 ];
                 node.name_of("curvature force", &names)
             },

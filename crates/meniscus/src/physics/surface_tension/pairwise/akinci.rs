@@ -3,7 +3,7 @@
 //!
 //! - eq. 3.5  cohesion   F = -gamma m_i m_j C(r) e
 //!   C = c_D/s^D { (1 - q)^3 q^3 from q = 1/2 on, 2 (1 - q)^3 q^3 - 1/64 below }, q = r / s
-//! - eq. 3.6  curvature  F = -gamma m_i m_j c_D/(64 s^D) (n_i - n_j), r < s, n_i = s sum_j V_j grad W_ij
+//! - eq. 3.6  curvature  F = -gamma m_i m_j / (1000 dx^D) (n_i - n_j), r < s, n_i = s sum_j V_j grad W_ij
 //! - eq. 3.7  adhesion   F = -beta m_i Psi_j A(r) e, A = a_D/s^D (2 (1 - q)(2 q - 1))^(1/4) from q = 1/2 on
 //! - eq. 3.8  Psi_j = rho_0 / sum_k W_jk over the wall's own particles
 //! - eq. 3.9  K = 2 rho_0 / (rho_i + rho_j), where neighbours are missing
@@ -14,9 +14,12 @@
 //! ([`Normalisation`]), so that gamma and beta are in m^4/(kg s^2) in either.
 //!
 //! The print's curvature force, -gamma m_i (n_i - n_j), is in other units than cohesion: one gamma
-//! can not serve both. Here it has the mass of the neighbour, and the largest value of C, as
-//! factor ([`Curvature`]): at n_i - n_j of length one, the force is that of cohesion where it is
-//! strongest. This force is not along e, so it keeps momentum, but not angular momentum.
+//! can not serve both. Here m_j / dx^D, the density, is a factor, over that of water, for which it
+//! is then as printed ([`Curvature`]).
+//!
+//! That force is not along e, so it keeps momentum, but not angular momentum: a disordered drop
+//! that feels it as strongly as in the paper, a twentieth of cohesion where both are largest, begins
+//! to turn, and does not stop. Cohesion alone makes drops as round; it is the default.
 
 use super::Attraction;
 use crate::real::Real;
@@ -33,7 +36,7 @@ pub enum Normalisation {
 /// The force by differences of normals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Curvature {
-    /// In the units of cohesion.
+    /// In the units of cohesion: as printed for a density of 1000 kg/m^3.
     Consistent,
     /// As printed: gamma counts without its units.
     Printed,
@@ -69,7 +72,7 @@ impl Default for Akinci {
         Self {
             gamma: None,
             normalisation: Normalisation::Proper,
-            curvature: Curvature::Consistent,
+            curvature: Curvature::None,
             reading: Reading::Force,
         }
     }

@@ -24,6 +24,9 @@ use super::{Attraction, Pairwise};
 use crate::fluid::Fluid;
 use crate::kernel::Kernel;
 
+/// One over the density, kg/m^3, for which Akinci's curvature force is meant as printed: water's.
+const AS_PRINTED: f64 = 1e-3;
+
 /// What the forces are summed with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Resolution {
@@ -168,7 +171,10 @@ impl Pairwise {
     /// The factors of K (n_i - n_j) and of m_j K (n_i - n_j) in Akinci's curvature force, over G.
     pub(super) fn curvature_of_one(&self, resolution: &Resolution) -> (f64, f64) {
         match self.akinci().map(|akinci| akinci.curvature) {
-            Some(Curvature::Consistent) => (0.0, 1.0 / 64.0),
+            Some(Curvature::Consistent) => {
+                let volume = resolution.spacing.powi(resolution.dimension as i32);
+                (0.0, AS_PRINTED / (volume * self.constant(resolution)))
+            }
             Some(Curvature::Printed) => (1.0 / self.constant(resolution), 0.0),
             Some(Curvature::None) | None => (0.0, 0.0),
         }

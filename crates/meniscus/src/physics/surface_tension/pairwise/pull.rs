@@ -7,7 +7,7 @@ use crate::fluid::Fluid;
 use crate::particles::Particles;
 use crate::physics::surface_tension::gradient::Smoothed;
 use crate::physics::surface_tension::surface::Surface;
-use crate::physics::wall::Wall;
+use crate::physics::wall::{Adhesion, Wall};
 use crate::term::Sweep;
 use crate::vector::Vector;
 
@@ -18,8 +18,8 @@ pub(crate) struct Pull<const D: usize> {
     resolution: Resolution,
     /// Root of G, and density at rest, of each fluid.
     fluids: Vec<(f64, f64)>,
-    /// Of each body: B, for a wall.
-    walls: Vec<Option<f64>>,
+    /// Of each body, for a wall: B, and whether Psi is of how densely it is sampled, or the mass.
+    walls: Vec<Option<(f64, bool)>>,
     charges: Vec<Charge>,
     /// Of how many lists the charges are.
     built: Option<u64>,
@@ -43,7 +43,8 @@ impl<const D: usize> Pull<D> {
             let first = particles.body.iter().position(|&body| body == wall.body);
             let fluid = &fluids[first.map_or(0, |row| usize::from(particles.fluid[row]))];
             let strength = model.adhesion_strength(wall.adhesion, fluid, &resolution);
-            of_walls[usize::from(wall.body)] = Some(strength);
+            let sampled = matches!(wall.adhesion, Adhesion::Coefficient(_));
+            of_walls[usize::from(wall.body)] = Some((strength, sampled));
         }
         Self {
             fluids: fluids.iter().map(charge).collect(),
@@ -58,8 +59,8 @@ impl<const D: usize> Pull<D> {
         }
     }
 
-    /// B of a particle's wall; none for a fluid.
-    fn wall(&self, particles: &Particles<D>, row: usize) -> Option<f64> {
+    /// B and Psi of a particle's wall; none for a fluid.
+    fn wall(&self, particles: &Particles<D>, row: usize) -> Option<(f64, bool)> {
         let wall = self.walls.get(usize::from(particles.body[row]));
         wall.copied().flatten()
     }
@@ -75,7 +76,7 @@ impl<const D: usize> Pull<D> {
             return;
         }
         let rows = 0..particles.len();
-        if self.walls.iter().flatten().any(|&strength| strength != 0.0) {
+        if self.walls.iter().flatten().any(|wall| wall.1) {
             let is_wall: Vec<f64> = (rows.clone())
                 .map(|row| f64::from(u8::from(self.wall(particles, row).is_some())))
                 .collect();
@@ -87,7 +88,7 @@ impl<const D: usize> Pull<D> {
         }
         let charges = rows.map(|row| {
             let (cohesion, rest_density) = self.fluids[usize::from(particles.fluid[row])];
-            let Some(strength) = self.wall(particles, row) else {
+            let Some((strength, sampled)) = self.wall(particles, row) else {
                 return Charge {
                     cohesion,
                     is_fluid: 1.0,
@@ -95,9 +96,12 @@ impl<const D: usize> Pull<D> {
                     rest_density,
                 };
             };
-            let sampled = self.weights.get(row).map_or(0.0, |w| rest_density / w);
+            let share = match self.weights.get(row) {
+                Some(weight) if sampled => rest_density / (weight * particles.mass[row]),
+                _ => 1.0,
+            };
             Charge {
-                wetting: strength * sampled / particles.mass[row],
+                wetting: strength * share,
                 rest_density,
                 ..Charge::default()
             }

@@ -16,7 +16,8 @@ pub enum Adhesion {
     None,
     /// beta of Akinci's adhesion, eq. 3.7, in the units of gamma.
     Coefficient(f64),
-    /// The contact angle, rad, that it is to have: 0 for complete wetting, pi for none.
+    /// The contact angle, rad, that it is to have: 0 for complete wetting, pi for none. Psi is the
+    /// mass of the wall's particle: by eq. 3.8 those at the surface stand for too much.
     ContactAngle(f64),
 }
 
