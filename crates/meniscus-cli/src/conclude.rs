@@ -47,6 +47,10 @@ pub fn write_report(
         folder.write_figure(&format!("{}.svg", figure.name()), svg.as_bytes())?;
         folder.write_figure(&format!("{}.png", figure.name()), &png)?;
     }
+    for movie in report.movies() {
+        let png = movie.png().map_err(broken)?;
+        folder.write_figure(&format!("{}.png", movie.name()), &png)?;
+    }
     folder.write_report(&report.html().map_err(broken)?)?;
     folder.write_run(record)?;
     Ok(measured)

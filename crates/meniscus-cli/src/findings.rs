@@ -10,6 +10,8 @@ use meniscus_case::{Case, Window};
 use meniscus_output::Series;
 use serde::{Deserialize, Serialize};
 
+mod merging;
+
 use crate::expected;
 
 /// A number that was measured.
@@ -45,6 +47,7 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     let mut findings = Findings::default();
     oscillation(case, series, &mut findings);
     extremes(case, series, &mut findings);
+    merging::waist(case, series, &mut findings);
     curvature(case, series, &mut findings);
     static_pressure(case, series, &mut findings);
     roundness::measure(case, series, &mut findings);
@@ -122,6 +125,14 @@ fn mean(series: &Series, name: &str, over: &Window) -> Option<Estimate> {
     })
 }
 
+/// The column of the first body: it has the body's name where there are several.
+fn of_first_body(case: &Case, quantity: &str) -> String {
+    match &case.bodies[..] {
+        [body, _, ..] => format!("{} {quantity}", body.name),
+        _ => quantity.to_owned(),
+    }
+}
+
 fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
     let (Some(asked), Some(body)) = (&case.measure.oscillation, case.bodies.first()) else {
         return;
@@ -188,10 +199,15 @@ fn extremes(case: &Case, series: &Series, findings: &mut Findings) {
     if !case.measure.extremes {
         return;
     }
-    let Some((time, reach)) = window(series, "tip semi-axis x", 0.0, case.end_time) else {
+    let Some((time, reach)) = window(
+        series,
+        &of_first_body(case, "tip semi-axis x"),
+        0.0,
+        case.end_time,
+    ) else {
         findings
             .complaints
-            .push("no extremes: the series has no column \"tip semi-axis x\" (several bodies, or a periodic box)".into());
+            .push("no extremes: in a periodic box the reach of a body is not followed".into());
         return;
     };
     // Of particle centres, as papers print it.
@@ -230,10 +246,21 @@ fn extremes(case: &Case, series: &Series, findings: &mut Findings) {
         None,
         exact(time[top]),
     );
+    let at_end = |axis: &str| {
+        let name = of_first_body(case, &format!("semi-axis {axis}"));
+        series
+            .column(&name)
+            .and_then(|column| column.last().copied())
+    };
+    let axes: Vec<f64> = ["x", "y", "z"].into_iter().filter_map(at_end).collect();
+    let longest = axes.iter().copied().fold(f64::NAN, f64::max);
+    let aspect = longest / axes.iter().copied().fold(f64::NAN, f64::min);
+    let name = "longest over shortest semi-axis, at the end";
+    findings.add("aspect-end", name, "", None, exact(aspect));
     match first_from(top + 1, -1.0) {
         Some(back) => findings.add(
             "swing-period",
-            "time until it is back",
+            "time of the least extent after it",
             "s",
             None,
             exact(time[back]),

@@ -48,6 +48,9 @@ pub fn build(
     for figure in figures::of(case, folder, series, measured)? {
         report = report.figure(figure);
     }
+    if let Some(movie) = figures::movie(case, folder)? {
+        report = report.movie(movie);
+    }
     for (name, value) in parameters(case) {
         report = report.parameter(&name, &value);
     }

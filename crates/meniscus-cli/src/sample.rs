@@ -1,6 +1,7 @@
 //! What is written of a flow: the columns of the time series, and frames.
 
 pub mod asked;
+mod pieces;
 
 use meniscus::measure::{
     PrincipalAxes, Sensor, StaticSurfaceTension, angular_momentum, centre_of_mass, kinetic_energy,
@@ -120,6 +121,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
             }
         }
         columns.extend(asked::columns(self.case));
+        columns.extend(pieces::columns(self.case));
         columns
     }
 
@@ -193,6 +195,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
             row.extend(&load.moment[3 - turned_about(D).len()..]);
         }
         row.extend(asked::row(self.case, p));
+        row.extend(pieces::row(self.case, p));
         row
     }
 

@@ -3,6 +3,7 @@
 //! - [`LinePlot`]: curves, points, theory lines and bands of uncertainty;
 //! - [`ParticlePictures`]: the particles at chosen times, coloured by what
 //!   they carry;
+//! - [`Movie`]: the same, one after another;
 //! - [`Report`]: one self-contained page with tables and figures.
 //!
 //! Everything works on plain numbers in SI units; axes and tables choose the
@@ -25,6 +26,7 @@
 
 mod colour;
 mod figure;
+mod movie;
 pub mod number;
 mod particles;
 mod plot;
@@ -33,6 +35,7 @@ mod scene;
 
 pub use colour::{Colour, PALETTE};
 pub use figure::{Figure, FigureError};
+pub use movie::Movie;
 pub use particles::{Direction, ParticlePictures, Snapshot, View};
 pub use plot::{Axis, Curve, LinePlot, Scale};
 pub use report::{Report, ResultRow};

@@ -18,6 +18,12 @@ pub struct Measure {
     pub contact_angle: Option<ContactAngle>,
     /// Whether the largest extent of the first body, and the time until it is back, are read off.
     pub extremes: bool,
+    /// The neck of the first body, where two drops merge or a thread thins.
+    pub waist: Option<Waist>,
+    /// The way the first body goes, by which its breakup is described: a vector of any length.
+    pub breakup: Option<[f64; 3]>,
+    /// Whether the pairs of particles across the surface of the first body are counted.
+    pub mixing: bool,
     /// Pressure sensors.
     pub sensors: Vec<Sensor>,
     /// Places where the curvature of the surface is read.
@@ -69,6 +75,17 @@ pub struct Crown {
     pub start: f64,
     /// Where power laws are fitted.
     pub window: Window,
+}
+
+/// A plane that cuts a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Waist {
+    /// A point of it, m.
+    pub at: [f64; 3],
+    /// Its normal, of any length.
+    pub normal: [f64; 3],
+    /// The radius whose time is wanted, m.
+    pub reaches: Option<f64>,
 }
 
 /// A place where something is read.
@@ -124,6 +141,27 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[&str]) -> Me
                 |node| node.table(|_| ()),
             )
             .is_some(),
+        waist: fields.optional(
+            "waist",
+            "Radius of the cut through the first body by a plane: where drops merge, or a thread thins.",
+            |node| node.table(waist),
+        ),
+        breakup: fields.optional(
+            "breakup",
+            "Pieces of the first body, and whether it is a disc, or a bag that opens forward or backward.",
+            |node| {
+                node.table(|fields| {
+                    fields.required("direction", "The way the body goes.", direction)
+                })
+            },
+        ),
+        mixing: fields
+            .optional(
+                "mixing",
+                "Count the pairs of particles across the surface of the first body: they grow if it mixes.",
+                |node| node.table(|_| ()),
+            )
+            .is_some(),
         sensors: fields.or("sensors", "[]", "Pressure sensors.", sensors),
         curvature: fields.or(
             "curvature",
@@ -132,6 +170,33 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[&str]) -> Me
             sensors,
         ),
     })
+}
+
+fn waist(fields: &mut Fields<'_, '_>) -> Waist {
+    Waist {
+        at: fields.required("at", "A point of the plane.", |node| {
+            node.vector(&units::LENGTH, Sign::Any)
+        }),
+        normal: fields.required("normal", "Its normal, of any length.", direction),
+        reaches: fields.optional(
+            "reaches",
+            "A radius; the time at which it is first reached is told.",
+            |node| node.quantity(&units::LENGTH, Sign::Positive),
+        ),
+    }
+}
+
+/// A vector of any length but none.
+fn direction(node: &mut Node<'_>) -> [f64; 3] {
+    let vector = node.vector(&units::NUMBER, Sign::Any);
+    if vector == [0.0; 3] {
+        node.fail(
+            "this vector has no direction".into(),
+            "all its components are zero",
+            "for example [1, 0] in 2D, [1, 0, 0] in 3D",
+        );
+    }
+    vector
 }
 
 /// A part of the run: from a share of the end time to its end.

@@ -12,7 +12,12 @@ pub struct Output {
     pub series: f64,
     /// Time between checkpoints, from which a run can go on.
     pub checkpoints: f64,
+    /// What colours the particles of a moving picture, if one is wanted.
+    pub movie: Option<&'static str>,
 }
+
+/// Fields of the frames that can colour a movie.
+const MOVIES: [&str; 5] = ["pressure", "speed", "density", "fluid", "body"];
 
 pub(super) fn output(node: &mut Node<'_>, end_time: f64) -> Output {
     node.table(|fields| Output {
@@ -36,6 +41,11 @@ pub(super) fn output(node: &mut Node<'_>, end_time: f64) -> Output {
             "Time between checkpoints. Default: a tenth of end_time.",
             end_time,
             0.1,
+        ),
+        movie: fields.optional(
+            "movie",
+            "A moving picture of the frames, coloured by this.",
+            |node| node.name_of("field", &MOVIES.map(|name| (name, name))),
         ),
     })
 }

@@ -7,7 +7,7 @@ mod profile;
 
 use meniscus_case::Case;
 use meniscus_output::{Frame, FrameReader, RunFolder, Series};
-use meniscus_report::Figure;
+use meniscus_report::{Figure, Movie};
 
 use crate::failure::Failure;
 use crate::findings::Findings;
@@ -26,6 +26,11 @@ pub fn of(
     figures.extend(curves::loads(case, series));
     figures.extend(profile::figure(case, &frames, measured)?);
     Ok(figures)
+}
+
+/// The movie that the case asks for, if it does.
+pub fn movie(case: &Case, folder: &RunFolder) -> Result<Option<Movie>, Failure> {
+    pictures::movie(case, &FrameReader::open(&folder.frames_folder())?)
 }
 
 /// Whether a particle of a frame is of a wall.

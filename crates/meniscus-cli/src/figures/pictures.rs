@@ -1,8 +1,8 @@
 //! Pictures of the particles at chosen times.
 
 use meniscus_case::Case;
-use meniscus_output::{Frame, FrameReader};
-use meniscus_report::{Direction, Figure, ParticlePictures, Snapshot, View};
+use meniscus_output::{Field, Frame, FrameReader};
+use meniscus_report::{Direction, Figure, Movie, ParticlePictures, Snapshot, View};
 
 use super::{evenly, walls};
 use crate::failure::Failure;
@@ -10,6 +10,8 @@ use crate::findings::Findings;
 
 /// Panels of a figure.
 const PANELS: usize = 6;
+/// Pictures of a movie, at most.
+const MOVIE: usize = 60;
 
 /// Pressure and speed, and with several bodies where the liquid came from: over the first period of an oscillation, else over the whole run.
 pub fn figures(
@@ -37,8 +39,7 @@ pub fn figures(
         pictures(case, &frames, "Pressure", "Pa")
             .view(slice(case, &frames))
             .figure("pressure", &format!("{inside}, coloured by pressure.")),
-        pictures(case, &frames, "Speed", "m/s")
-            .view(View::Whole(direction(case)))
+        from_outside(case, &frames, "Speed", "m/s")
             .figure("speed", &format!("{outside}, coloured by speed.")),
     ];
     if case.bodies.len() > 1 {
@@ -71,6 +72,65 @@ pub fn figures(
         }
     }
     Ok(figures)
+}
+
+/// The movie that the case asks for, if it does.
+pub fn movie(case: &Case, reader: &FrameReader) -> Result<Option<Movie>, Failure> {
+    let Some(name) = case.output.movie else {
+        return Ok(None);
+    };
+    let end = reader.times().last().copied().unwrap_or(0.0);
+    let frames = evenly(reader.times(), 0.0, end, MOVIE)
+        .into_iter()
+        .map(|k| reader.read(k))
+        .collect::<Result<Vec<Frame>, _>>()?;
+    let label = name[..1].to_uppercase() + &name[1..];
+    let unit = (frames.first())
+        .and_then(|frame| frame.fields.iter().find(|field| field.name == name))
+        .map_or_else(String::new, |field| field.unit.clone());
+    let caption = format!("Particles, coloured by {name}.");
+    Ok(Some(
+        from_outside(case, &frames, &label, &unit).movie("movie", &caption),
+    ))
+}
+
+/// Seen from the side. In 3D walls, and fluids around those with surface tension, are left out:
+/// they would hide all.
+fn from_outside(case: &Case, frames: &[Frame], label: &str, unit: &str) -> ParticlePictures {
+    if case.dimension == 2 {
+        return pictures(case, frames, label, unit);
+    }
+    let has_surface = |fluid: f64| {
+        let fluid = case.fluids.get(fluid as usize);
+        fluid.is_some_and(|fluid| fluid.surface_tension > 0.0)
+    };
+    let hides = case.fluids.iter().any(|fluid| fluid.surface_tension > 0.0);
+    let seen: Vec<Frame> = (frames.iter())
+        .map(|frame| {
+            let is_wall = walls(frame);
+            let fluid = frame.fields.iter().find(|field| field.name == "fluid");
+            let fluid = |i: usize| fluid.map_or(0.0, |field| field.values[i]);
+            let keep = |i: &usize| !is_wall(*i) && (!hides || has_surface(fluid(*i)));
+            only(frame, (0..frame.positions.len()).filter(keep))
+        })
+        .collect();
+    pictures(case, &seen, label, unit).view(View::Whole(direction(case)))
+}
+
+/// A frame of some of its particles, with its scalar fields.
+fn only(frame: &Frame, rows: impl Iterator<Item = usize>) -> Frame {
+    let rows: Vec<usize> = rows.collect();
+    let scalars = (frame.fields.iter()).filter(|field| field.values.len() == frame.positions.len());
+    Frame {
+        positions: rows.iter().map(|&i| frame.positions[i]).collect(),
+        fields: scalars
+            .map(|field| {
+                let values = rows.iter().map(|&i| field.values[i]).collect();
+                Field::scalar(&field.name, &field.unit, values)
+            })
+            .collect(),
+        ..*frame
+    }
 }
 
 fn pictures(case: &Case, frames: &[Frame], label: &str, unit: &str) -> ParticlePictures {

@@ -13,6 +13,7 @@ pub use view::{Direction, View};
 
 use crate::colour::{Colour, PALETTE, viridis};
 use crate::figure::Figure;
+use crate::movie::Movie;
 use crate::number::{exponent, fixed, in_reach, scaled_unit};
 use crate::scene::{Anchor, Disc, Mark, Scene};
 use panels::Panels;
@@ -90,56 +91,27 @@ impl ParticlePictures {
         self
     }
 
-    /// The finished figure.
+    /// The finished figure: all panels side by side.
     pub fn figure(&self, name: &str, caption: &str) -> Figure {
-        let seen: Vec<Vec<Seen>> = self.snapshots.iter().map(|s| self.view.see(s)).collect();
-        let all = || seen.iter().flatten();
-        let scale = ColourScale::new(self.limits, all().map(|p| p.value));
-        let colour = |value: f64| match self.names.is_empty() {
-            true => scale.colour(value),
-            false => of_name(value),
-        };
-        let panels = Panels::new(&seen);
-        // In two dimensions no disc hides another: no rim needed.
-        let depths = all().map(|p| p.depth);
-        let (near, far) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), d| {
-            (a.min(d), b.max(d))
-        });
-        let edge = if far > near { RIM } else { 0.0 };
+        let seen = self.seen();
+        let style = Style::new(self, &seen, seen.len());
+        let panels: Vec<_> = seen.iter().zip(self.times()).collect();
+        Figure::new(name, caption, style.scene(&panels))
+    }
 
-        let mut marks = Vec::new();
-        for (i, (particles, time)) in seen.iter().zip(self.times()).enumerate() {
-            let window = panels.window(i);
-            let at = [
-                window.left + 0.5 * window.width,
-                window.top - TITLE + 1.1 * TITLE_SIZE,
-            ];
-            marks.push(Mark::text(at, Anchor::Middle, TITLE_SIZE, time));
-            let disc = |particle: &Seen| Disc {
-                centre: panels.place(i, particle.at),
-                radius: particle.radius * panels.scale,
-                fill: colour(particle.value),
-            };
-            marks.push(Mark::Discs {
-                discs: particles.iter().map(disc).collect(),
-                edge,
-            });
-        }
-        let bottom = panels.bottom();
-        legend::scale_bar(&mut marks, &panels, bottom);
-        if self.names.is_empty() {
-            let title = (self.quantity.as_str(), self.unit.as_str());
-            legend::colour_bar(&mut marks, &scale, title, panels.width, bottom);
-        } else {
-            let names = (self.names.iter().enumerate()).map(|(i, name)| (of_name(i as f64), name));
-            legend::names(&mut marks, names, panels.width, bottom);
-        }
-        let scene = Scene {
-            width: panels.width,
-            height: bottom + legend::HEIGHT,
-            marks,
-        };
-        Figure::new(name, caption, scene)
+    /// The panels one after another.
+    pub fn movie(&self, name: &str, caption: &str) -> Movie {
+        let seen = self.seen();
+        let style = Style::new(self, &seen, 1);
+        let scenes = seen
+            .iter()
+            .zip(self.times())
+            .map(|panel| style.scene(&[panel]));
+        Movie::new(name, caption, scenes.collect())
+    }
+
+    fn seen(&self) -> Vec<Vec<Seen>> {
+        self.snapshots.iter().map(|s| self.view.see(s)).collect()
     }
 
     /// The times as titles, in one unit and with the digits that tell them apart.
@@ -162,6 +134,76 @@ fn of_name(number: f64) -> Colour {
         PALETTE[number as usize % PALETTE.len()]
     } else {
         Colour::NO_VALUE
+    }
+}
+
+/// What the panels have in common.
+struct Style<'a> {
+    pictures: &'a ParticlePictures,
+    colours: ColourScale,
+    panels: Panels,
+    edge: f64,
+}
+
+impl<'a> Style<'a> {
+    /// For `count` panels at a time.
+    fn new(pictures: &'a ParticlePictures, seen: &[Vec<Seen>], count: usize) -> Self {
+        let all = || seen.iter().flatten();
+        // In two dimensions no disc hides another: no rim needed.
+        let depths = all().map(|p| p.depth);
+        let (near, far) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), d| {
+            (a.min(d), b.max(d))
+        });
+        Self {
+            pictures,
+            colours: ColourScale::new(pictures.limits, all().map(|p| p.value)),
+            panels: Panels::new(seen, count),
+            edge: if far > near { RIM } else { 0.0 },
+        }
+    }
+
+    fn colour(&self, value: f64) -> Colour {
+        match self.pictures.names.is_empty() {
+            true => self.colours.colour(value),
+            false => of_name(value),
+        }
+    }
+
+    /// These panels with their times, and the scales.
+    fn scene(&self, shown: &[(&Vec<Seen>, String)]) -> Scene {
+        let (panels, names) = (&self.panels, &self.pictures.names);
+        let mut marks = Vec::new();
+        for (i, (particles, time)) in shown.iter().enumerate() {
+            let window = panels.window(i);
+            let at = [
+                window.left + 0.5 * window.width,
+                window.top - TITLE + 1.1 * TITLE_SIZE,
+            ];
+            marks.push(Mark::text(at, Anchor::Middle, TITLE_SIZE, time));
+            let disc = |particle: &Seen| Disc {
+                centre: panels.place(i, particle.at),
+                radius: particle.radius * panels.scale,
+                fill: self.colour(particle.value),
+            };
+            marks.push(Mark::Discs {
+                discs: particles.iter().map(disc).collect(),
+                edge: self.edge,
+            });
+        }
+        let bottom = panels.bottom();
+        legend::scale_bar(&mut marks, panels, bottom);
+        if names.is_empty() {
+            let title = (&*self.pictures.quantity, &*self.pictures.unit);
+            legend::colour_bar(&mut marks, &self.colours, title, panels.width, bottom);
+        } else {
+            let names = (names.iter().enumerate()).map(|(i, name)| (of_name(i as f64), name));
+            legend::names(&mut marks, names, panels.width, bottom);
+        }
+        Scene {
+            width: panels.width,
+            height: bottom + legend::HEIGHT,
+            marks,
+        }
     }
 }
 

@@ -27,9 +27,10 @@ pub(super) struct Panels {
 }
 
 impl Panels {
-    pub fn new(seen: &[Vec<Seen>]) -> Self {
+    /// Room for `count` panels, each of which may show any of `seen`.
+    pub fn new(seen: &[Vec<Seen>], count: usize) -> Self {
         let extent = extent(seen);
-        let count = seen.len().max(1);
+        let count = count.max(1);
         let fit = |columns: usize| {
             let rows = count.div_ceil(columns);
             let width = (WIDTH - GAP * (columns - 1) as f64) / columns as f64;

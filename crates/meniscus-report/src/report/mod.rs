@@ -6,6 +6,7 @@
 mod page;
 
 use crate::figure::{Figure, FigureError};
+use crate::movie::Movie;
 
 /// A line of the table of results.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +32,7 @@ pub struct Report {
     warnings: Vec<String>,
     results: Vec<ResultRow>,
     figures: Vec<Figure>,
+    movies: Vec<Movie>,
     parameters: Vec<(String, String)>,
     dimensionless: Vec<(String, f64, String)>,
     run: Vec<(String, String)>,
@@ -61,6 +63,12 @@ impl Report {
     /// Adds a line of the table of results.
     pub fn result(mut self, row: ResultRow) -> Self {
         self.results.push(row);
+        self
+    }
+
+    /// Adds a moving picture.
+    pub fn movie(mut self, movie: Movie) -> Self {
+        self.movies.push(movie);
         self
     }
 
@@ -98,6 +106,11 @@ impl Report {
     /// The figures, to be written as files too.
     pub fn figures(&self) -> &[Figure] {
         &self.figures
+    }
+
+    /// The moving pictures, to be written as files too.
+    pub fn movies(&self) -> &[Movie] {
+        &self.movies
     }
 
     /// The page.

@@ -5,6 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::{Report, ResultRow, escape};
 use crate::figure::{Figure, FigureError};
+use crate::movie::Movie;
 use crate::number::{fixed, scaled_unit, significant, with_unit};
 
 const STYLE: &str = include_str!("style.css");
@@ -33,6 +34,10 @@ pub(super) fn print(report: &Report) -> Result<String, FigureError> {
     if !report.figures.is_empty() {
         let figures: Result<String, FigureError> = report.figures.iter().map(figure).collect();
         body += &section("Figures", &figures?);
+    }
+    if !report.movies.is_empty() {
+        let movies: Result<String, FigureError> = report.movies.iter().map(movie).collect();
+        body += &section("Movies", &movies?);
     }
     if !report.parameters.is_empty() {
         body += &section("What was run", &pairs(&report.parameters));
@@ -148,23 +153,40 @@ fn pairs(pairs: &[(String, String)]) -> String {
     format!("<dl>\n{rows}</dl>\n")
 }
 
+fn movie(movie: &Movie) -> Result<String, FigureError> {
+    let caption = escape(movie.caption());
+    Ok(plate(
+        movie.name(),
+        &image(&movie.png()?, None, &caption),
+        &caption,
+    ))
+}
+
 fn figure(figure: &Figure) -> Result<String, FigureError> {
     let svg = figure.svg()?;
     let caption = escape(figure.caption());
     let mut picture = svg;
     if picture.len() > LONG_SVG {
-        let (width, height) = figure.size();
-        let png = STANDARD.encode(figure.png()?);
-        let image = format!(
-            "<img width=\"{width:.0}\" height=\"{height:.0}\" alt=\"{caption}\" \
-             src=\"data:image/png;base64,{png}\">\n"
-        );
+        let image = image(&figure.png()?, Some(figure.size()), &caption);
         if image.len() < picture.len() {
             picture = image;
         }
     }
-    Ok(format!(
+    Ok(plate(figure.name(), &picture, &caption))
+}
+
+/// A PNG file in the page itself.
+fn image(png: &[u8], size: Option<(f64, f64)>, caption: &str) -> String {
+    let size = size.map_or_else(String::new, |(width, height)| {
+        format!("width=\"{width:.0}\" height=\"{height:.0}\" ")
+    });
+    let png = STANDARD.encode(png);
+    format!("<img {size}alt=\"{caption}\" src=\"data:image/png;base64,{png}\">\n")
+}
+
+fn plate(name: &str, picture: &str, caption: &str) -> String {
+    format!(
         "<figure id=\"{}\">\n<div class=\"plate\">{picture}</div>\n<figcaption>{caption}</figcaption>\n</figure>\n",
-        escape(figure.name())
-    ))
+        escape(name)
+    )
 }

@@ -1,4 +1,4 @@
-//! Drawing a scene as PNG, two dots to the pixel.
+//! Drawing a scene in dots.
 
 use tiny_skia::{
     FillRule, LineJoin, Mask, Paint, Path, PathBuilder, Pixmap, StrokeDash, Transform,
@@ -15,11 +15,18 @@ const DOTS: f64 = 2.0;
 impl Scene {
     /// The scene as the bytes of a PNG file, on a background or on none.
     pub fn png(&self, background: Option<Colour>) -> Result<Vec<u8>, FigureError> {
-        let [width, height] = [self.width, self.height].map(|x| (x * DOTS).round() as u32);
+        let encoded = self.dots(background, DOTS)?.encode_png();
+        encoded.map_err(|cause| FigureError(format!("the PNG could not be encoded: {cause}")))
+    }
+
+    /// The scene drawn with so many dots to a pixel of the web.
+    pub fn dots(&self, background: Option<Colour>, dots: f64) -> Result<Pixmap, FigureError> {
+        let [width, height] = [self.width, self.height].map(|x| (x * dots).round() as u32);
         let too_large = || FigureError(format!("{width} by {height} dots cannot be drawn"));
         let mut canvas = Canvas {
             pixmap: Pixmap::new(width, height).ok_or_else(too_large)?,
             mask: None,
+            scaled: Transform::from_scale(dots as f32, dots as f32),
         };
         if let Some(colour) = background {
             canvas.pixmap.fill(paint_colour(colour, 1.0));
@@ -27,14 +34,15 @@ impl Scene {
         for mark in &self.marks {
             canvas.draw(mark);
         }
-        let encoded = canvas.pixmap.encode_png();
-        encoded.map_err(|cause| FigureError(format!("the PNG could not be encoded: {cause}")))
+        Ok(canvas.pixmap)
     }
 }
 
 struct Canvas {
     pixmap: Pixmap,
     mask: Option<Mask>,
+    /// From pixels of the web to dots.
+    scaled: Transform,
 }
 
 impl Canvas {
@@ -68,13 +76,13 @@ impl Canvas {
     fn window(&self, window: &Rect) -> Option<Mask> {
         let mut mask = Mask::new(self.pixmap.width(), self.pixmap.height())?;
         let path = polygon(&window.corners(), true)?;
-        mask.fill_path(&path, FillRule::Winding, true, scaled());
+        mask.fill_path(&path, FillRule::Winding, true, self.scaled);
         Some(mask)
     }
 
     /// Fills a path given in pixels of the web, moved by `place` first.
     fn fill(&mut self, path: &Path, colour: Colour, opacity: f64, place: Transform) {
-        let place = place.post_concat(scaled());
+        let place = place.post_concat(self.scaled);
         let paint = paint(colour, opacity);
         let mask = self.mask.as_ref();
         self.pixmap
@@ -93,7 +101,7 @@ impl Canvas {
         let paint = paint(stroke.colour, 1.0);
         let mask = self.mask.as_ref();
         self.pixmap
-            .stroke_path(path, &paint, &style, scaled(), mask);
+            .stroke_path(path, &paint, &style, self.scaled, mask);
     }
 
     fn disc(&mut self, disc: &Disc, edge: f64) {
@@ -134,10 +142,6 @@ impl Canvas {
             }
         }
     }
-}
-
-fn scaled() -> Transform {
-    Transform::from_scale(DOTS as f32, DOTS as f32)
 }
 
 fn paint_colour(colour: Colour, opacity: f64) -> tiny_skia::Color {

@@ -11,6 +11,7 @@
 //! - how round a body is, by direction: [`Outline`]
 //! - a splash: [`Crown`]; a drop on a wall: [`DropOnWall`]
 //! - which particles lie at a free surface: [`surface_particles`]
+//! - drops that merge or break: [`waist`], [`fragments`], [`Bag`], [`contacts`]
 //! - virtual pressure sensors: [`Sensor`]
 //! - pressure against radius, and what surface tension it shows: [`radial_profile`],
 //!   [`StaticSurfaceTension`]
@@ -19,6 +20,7 @@
 //! - a fitted power law: [`PowerLaw`]
 
 mod circle;
+mod bag;
 mod compression_energy;
 mod contact_angle;
 mod crown;
@@ -26,6 +28,7 @@ mod damped_cosine;
 mod estimate;
 mod fit_error;
 mod foot;
+mod fragments;
 mod oscillation;
 mod outline;
 mod power_law;
@@ -35,14 +38,19 @@ mod samples;
 mod semi_axes;
 mod sensor;
 mod surface;
+#[cfg(test)]
+mod testing;
 mod totals;
+mod waist;
 
+pub use bag::Bag;
 pub use compression_energy::{compression_energy, specific_compression_energy};
 pub use contact_angle::DropOnWall;
 pub use crown::Crown;
 pub use damped_cosine::DampedCosine;
 pub use estimate::Estimate;
 pub use fit_error::FitError;
+pub use fragments::{contacts, fragments};
 pub use oscillation::OscillationSurfaceTension;
 pub use outline::Outline;
 pub use power_law::PowerLaw;
@@ -55,3 +63,4 @@ pub use surface::{Plane, surface_particles};
 pub use totals::{
     angular_momentum, centre_of_mass, kinetic_energy, linear_momentum, maximum_speed, range,
 };
+pub use waist::waist;
