@@ -1,16 +1,16 @@
 //! What a finished run shows: numbers beside what they should be.
 
 mod contact_angle;
+mod at_rest;
 mod crown;
+mod extremes;
+mod merging;
 mod roundness;
 
 use meniscus::measure::{DampedCosine, Estimate, OscillationSurfaceTension};
-use meniscus::theory;
 use meniscus_case::{Case, Window};
 use meniscus_output::Series;
 use serde::{Deserialize, Serialize};
-
-mod merging;
 
 use crate::expected;
 
@@ -46,10 +46,12 @@ pub struct Findings {
 pub fn measure(case: &Case, series: &Series) -> Findings {
     let mut findings = Findings::default();
     oscillation(case, series, &mut findings);
-    extremes(case, series, &mut findings);
+    extremes::measure(case, series, &mut findings);
     merging::waist(case, series, &mut findings);
+    merging::breakup(case, series, &mut findings);
+    merging::mixing(case, series, &mut findings);
     curvature(case, series, &mut findings);
-    static_pressure(case, series, &mut findings);
+    at_rest::measure(case, series, &mut findings);
     roundness::measure(case, series, &mut findings);
     crown::measure(case, series, &mut findings);
     contact_angle::measure(case, series, &mut findings);
@@ -155,9 +157,10 @@ fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
     };
     let main = columns[0].1;
     for (column, suffix, label) in columns {
-        let Some((time, values)) = window(series, column, asked.from, asked.to) else {
+        let column = of_first_body(case, column);
+        let Some((time, values)) = window(series, &column, asked.from, asked.to) else {
             findings.complaints.push(format!(
-                "no oscillation was fitted: the series has no column \"{column}\" (several bodies, or a periodic box)"
+                "no oscillation was fitted: the series has no column \"{column}\" (a periodic box)"
             ));
             return;
         };
@@ -194,83 +197,6 @@ fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
     }
 }
 
-/// The largest reach of the first body along x, and when it is back at its least.
-fn extremes(case: &Case, series: &Series, findings: &mut Findings) {
-    if !case.measure.extremes {
-        return;
-    }
-    let Some((time, reach)) = window(
-        series,
-        &of_first_body(case, "tip semi-axis x"),
-        0.0,
-        case.end_time,
-    ) else {
-        findings
-            .complaints
-            .push("no extremes: in a periodic box the reach of a body is not followed".into());
-        return;
-    };
-    // Of particle centres, as papers print it.
-    let reach: Vec<f64> = reach.iter().map(|x| x - 0.5 * case.spacing).collect();
-    let first_from = |start: usize, sign: f64| {
-        (start.max(1)..reach.len().saturating_sub(1)).find(|&k| {
-            // Half a per cent off either way is no swing.
-            let beyond = &reach[k..];
-            let turned =
-                (beyond.iter()).find(|&&x| (sign * (x - reach[k])).abs() > 0.005 * reach[0]);
-            sign * (reach[k] - reach[k - 1]) >= 0.0
-                && turned.is_some_and(|x| sign * (x - reach[k]) < 0.0)
-                && reach[k..]
-                    .iter()
-                    .take_while(|x| sign * (*x - reach[k]) > -0.005 * reach[0])
-                    .all(|x| sign * (x - reach[k]) <= 0.0)
-        })
-    };
-    let Some(top) = first_from(1, 1.0) else {
-        findings
-            .complaints
-            .push("no extremes: the first body does not swing".into());
-        return;
-    };
-    findings.add(
-        "largest-extent",
-        "largest extent along x",
-        "m",
-        None,
-        exact(reach[top]),
-    );
-    findings.add(
-        "largest-extent-time",
-        "time of the largest extent",
-        "s",
-        None,
-        exact(time[top]),
-    );
-    let at_end = |axis: &str| {
-        let name = of_first_body(case, &format!("semi-axis {axis}"));
-        series
-            .column(&name)
-            .and_then(|column| column.last().copied())
-    };
-    let axes: Vec<f64> = ["x", "y", "z"].into_iter().filter_map(at_end).collect();
-    let longest = axes.iter().copied().fold(f64::NAN, f64::max);
-    let aspect = longest / axes.iter().copied().fold(f64::NAN, f64::min);
-    let name = "longest over shortest semi-axis, at the end";
-    findings.add("aspect-end", name, "", None, exact(aspect));
-    match first_from(top + 1, -1.0) {
-        Some(back) => findings.add(
-            "swing-period",
-            "time of the least extent after it",
-            "s",
-            None,
-            exact(time[back]),
-        ),
-        None => findings
-            .complaints
-            .push("the first body does not swing back before the end".into()),
-    }
-}
-
 /// Curvature at the places asked for, at the start.
 fn curvature(case: &Case, series: &Series, findings: &mut Findings) {
     for place in &case.measure.curvature {
@@ -281,32 +207,6 @@ fn curvature(case: &Case, series: &Series, findings: &mut Findings) {
             findings.add(&id, &name, "1/m", None, exact(first));
         }
     }
-}
-
-fn static_pressure(case: &Case, series: &Series, findings: &mut Findings) {
-    let (Some(asked), Some(body)) = (&case.measure.static_pressure, case.bodies.first()) else {
-        return;
-    };
-    let Some(pressure) = mean(series, "inner pressure", asked) else {
-        findings
-            .complaints
-            .push("no static pressure was measured: the series has none in that time".into());
-        return;
-    };
-    let fluid = &case.fluids[body.fluid];
-    let radius = theory::equivalent_radius(body.volume, case.dimension);
-    let jump = theory::pressure_jump(fluid.surface_tension, radius, case.dimension);
-    let laplace = Some(("Laplace", jump));
-    let name = "inner pressure (r < R/2)";
-    findings.add("inner-pressure", name, "Pa", laplace, pressure);
-    let factor = theory::surface_tension_from_pressure(1.0, radius, case.dimension);
-    let sigma = Estimate {
-        value: pressure.value * factor,
-        half_width: pressure.half_width * factor,
-    };
-    let given = Some(("given", fluid.surface_tension));
-    let name = "surface tension by inner pressure";
-    findings.add("sigma-static", name, "N/m", given, sigma);
 }
 
 /// A weakly compressible flow changes its density by about 1 %.

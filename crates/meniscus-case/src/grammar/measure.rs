@@ -9,7 +9,7 @@ pub struct Measure {
     /// The fit of a damped oscillation.
     pub oscillation: Option<Oscillation>,
     /// The pressure inside a drop at rest.
-    pub static_pressure: Option<Window>,
+    pub static_pressure: Option<StaticPressure>,
     /// How round the first body is, and how dense.
     pub roundness: Option<Window>,
     /// The crown of a splash.
@@ -39,6 +39,15 @@ pub struct Oscillation {
     pub from: f64,
     /// End of the fit, s.
     pub to: f64,
+}
+
+/// Time-averaged pressure inside a drop at rest; by Laplace it gives the surface tension.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StaticPressure {
+    /// When it is averaged.
+    pub window: Window,
+    /// Where the pressure around the drop is read, m; none for a void.
+    pub outside: Option<[f64; 3]>,
 }
 
 /// A part of the run, over which something is averaged or fitted.
@@ -116,7 +125,14 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[&str]) -> Me
             "static_pressure",
             "Average the pressure inside a drop at rest, and find the surface tension from it.",
             |node| {
-                node.table(|fields| window(fields, end_time, 0.8))
+                node.table(|fields| StaticPressure {
+                    window: window(fields, end_time, 0.8),
+                    outside: fields.optional(
+                        "outside",
+                        "A place in the fluid around the drop; its pressure is taken off.",
+                        |node| node.vector(&units::LENGTH, Sign::Any),
+                    ),
+                })
             },
         ),
         roundness: fields.optional(

@@ -33,7 +33,7 @@ pub fn figure(
     };
     let from = match (&measured.fit, &case.measure.static_pressure) {
         (Some(fit), _) => (end - fit.period().value).max(0.0),
-        (None, Some(asked)) => asked.from.min(end),
+        (None, Some(asked)) => asked.window.from.min(end),
         (None, None) => end,
     };
     let radius = theory::equivalent_radius(body.volume, case.dimension);

@@ -1,4 +1,4 @@
-//! Drops that become one.
+//! Drops that merge, break or mix.
 
 use meniscus_case::Case;
 use meniscus_output::Series;
@@ -29,5 +29,75 @@ pub(super) fn waist(case: &Case, series: &Series, findings: &mut Findings) {
         "s",
         None,
         exact(crossed.unwrap_or(f64::NAN)),
+    );
+}
+
+/// What shape a body has when it breaks: at the end of the run, or as the first tenth of it has
+/// come off. A bag is thin in the middle, a drop that is sheared at its rim is thick there.
+pub(super) fn breakup(case: &Case, series: &Series, findings: &mut Findings) {
+    let column = |name: &str| window(series, name, 0.0, case.end_time);
+    let (Some((time, share)), true) = (column("largest piece"), case.measure.breakup.is_some())
+    else {
+        return;
+    };
+    let broken = share.iter().position(|share| *share < 0.9);
+    let row = broken.unwrap_or(share.len().saturating_sub(1));
+    let at = |name: &str| {
+        let values = column(name).map(|(_, values)| values);
+        values
+            .and_then(|values| values.get(row).copied())
+            .unwrap_or(f64::NAN)
+    };
+    let mut add = |id, name, unit, value| findings.add(id, name, unit, None, exact(value));
+    let when = time.get(row).copied().unwrap_or(f64::NAN);
+    match broken {
+        Some(_) => add(
+            "breakup-time",
+            "time at which a tenth has come off",
+            "s",
+            when,
+        ),
+        None => add(
+            "breakup-time",
+            "not broken: what follows is of the end",
+            "s",
+            when,
+        ),
+    }
+    add("pieces", "pieces", "", at("pieces"));
+    add("span", "radius across its way", "m", at("span"));
+    let name = "rim ahead of the centre, over that radius (below 0: opens backward)";
+    add("opening", name, "", at("opening"));
+    let name = "thickness in the middle over that of the rim";
+    add(
+        "thickness-ratio",
+        name,
+        "",
+        at("centre thickness") / at("rim thickness"),
+    );
+}
+
+/// By how much the first body has mixed with others.
+pub(super) fn mixing(case: &Case, series: &Series, findings: &mut Findings) {
+    let (Some((_, contacts)), true) = (
+        window(series, "contacts", 0.0, case.end_time),
+        case.measure.mixing,
+    ) else {
+        return;
+    };
+    // A tenth of the run at either end: particles near each other come and go.
+    let part = (contacts.len() / 10).max(1);
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let (first, last) = (
+        &contacts[..part.min(contacts.len())],
+        &contacts[contacts.len().saturating_sub(part)..],
+    );
+    let name = "contacts across the surface, last over first tenth of the run";
+    findings.add(
+        "mixing",
+        name,
+        "",
+        Some(("no mixing", 1.0)),
+        exact(mean(last) / mean(first)),
     );
 }

@@ -30,6 +30,8 @@ pub const CONTACT_ANGLE: [(&str, &str); 5] = [
     ("drop height", "m"),
     ("gap below the drop", "m"),
 ];
+/// Column of `static_pressure` where it asks for the pressure outside.
+pub const OUTSIDE: (&str, &str) = ("outside pressure", "Pa");
 
 /// Names and units of the columns.
 pub fn columns(case: &Case) -> Vec<Column> {
@@ -42,6 +44,8 @@ pub fn columns(case: &Case) -> Vec<Column> {
     add(case.measure.roundness.is_some(), &ROUNDNESS);
     add(case.measure.crown.is_some(), &CROWN);
     add(case.measure.contact_angle.is_some(), &CONTACT_ANGLE);
+    let outside = (case.measure.static_pressure.as_ref()).and_then(|asked| asked.outside);
+    add(outside.is_some(), &[OUTSIDE]);
     columns
 }
 
@@ -65,6 +69,16 @@ pub fn row<const D: usize>(case: &Case, liquid: &Particles<D>) -> Vec<f64> {
     }
     if let Some(asked) = &case.measure.contact_angle {
         row.extend(on_wall(asked, &liquid.of_bodies(|body| body == 0)));
+    let outside = (case.measure.static_pressure.as_ref()).and_then(|asked| asked.outside);
+    if let Some(at) = outside {
+        let sensor = Sensor {
+            position: Vector::from_3d(at),
+            kernel: case.scheme.kernel,
+            smoothing_length: case.scheme.smoothing_length,
+        };
+        let (x, mass) = (&liquid.position, &liquid.mass);
+        let reading = sensor.read(x, mass, &liquid.density, &liquid.pressure);
+        row.push(reading.map_or(f64::NAN, |reading| reading.value));
     }
     row
 }

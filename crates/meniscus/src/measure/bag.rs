@@ -64,19 +64,14 @@ impl Bag {
 #[cfg(test)]
 mod tests {
     use super::Bag;
-    use crate::measure::testing::lattice;
-    use crate::shape::Shape;
+    use crate::measure::samples::cut;
     use crate::vector::Vector;
 
     /// Half a hollow ball, its opening towards +x.
     fn bowl() -> Vec<Vector<f64, 3>> {
-        let ball = Shape::Ball {
-            centre: Vector::ZERO,
-            radius: 10.0,
-        };
-        (lattice(&ball, 0.2).into_iter())
-            .filter(|x| x.norm() > 7.0 && x[0] < 0.0)
-            .collect()
+        cut(12.0, 0.3, 0.2, |x| {
+            x.norm() < 10.0 && x.norm() > 7.0 && x[0] < 0.0
+        })
     }
 
     #[test]
@@ -95,12 +90,9 @@ mod tests {
 
     #[test]
     fn a_flat_disc_is_bent_neither_way_and_as_wide_as_it_is() {
-        let disc = Shape::Cylinder {
-            start: Vector([0.0, 0.0, -2.0]),
-            end: Vector([0.0, 0.0, 2.0]),
-            radius: 12.0,
-        };
-        let points = lattice(&disc, 0.2);
+        let points = cut(15.0, 0.3, 0.2, |x: &Vector<f64, 3>| {
+            x[2].abs() < 2.0 && x[0].hypot(x[1]) < 12.0
+        });
         let bag = Bag::measure(&points, 1.0, Vector([0.0, 0.0, 1.0])).unwrap();
         assert!((bag.span / 12.0 - 1.0).abs() < 0.02, "{bag:?}");
         // Random shifts of 0.2 leave the mean of a hundred places uncertain by 0.02.

@@ -99,21 +99,14 @@ fn root(parent: &mut [usize], mut i: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::{contacts, fragments};
-    use crate::measure::testing::lattice;
-    use crate::shape::Shape;
+    use crate::measure::samples::cut;
     use crate::vector::Vector;
 
     #[test]
     fn two_balls_with_a_gap_are_two_and_touching_ones_are_one() {
         let fill = |x: f64| {
             let centre = Vector([x, 0.0, 0.0]);
-            lattice(
-                &Shape::Ball {
-                    centre,
-                    radius: 4.0,
-                },
-                0.2,
-            )
+            cut(12.0, 0.3, 0.2, |x| (*x - centre).norm() < 4.0)
         };
         let (left, right, near) = (fill(-6.0), fill(6.5), fill(1.5));
         let apart = fragments(&[left.clone(), right].concat(), 1.6);
@@ -126,8 +119,9 @@ mod tests {
     #[test]
     fn contacts_grow_with_the_area_and_with_mixing() {
         let half = |side: f64| {
-            let (low, high) = (Vector([0.0, side - 4.0]), Vector([20.0, side]));
-            lattice(&Shape::Block { low, high }, 0.0)
+            cut(22.0, 0.0, 0.0, |x: &Vector<f64, 2>| {
+                x[0] > 0.0 && x[0] < 20.0 && x[1] > side - 4.0 && x[1] < side
+            })
         };
         let (below, above) = (half(0.0), half(4.0));
         // Straight over, and to the two diagonal neighbours but for those at the ends.

@@ -33,21 +33,14 @@ pub fn waist<const D: usize>(
 #[cfg(test)]
 mod tests {
     use super::waist;
-    use crate::measure::testing::lattice;
-    use crate::shape::Shape;
+    use crate::measure::samples::cut;
     use crate::vector::Vector;
 
     #[test]
     fn a_ball_cut_off_centre_has_the_radius_of_that_circle() {
         for (jitter, height) in [(0.0, 0.0), (0.2, 0.0), (0.2, 6.0)] {
             let centre = Vector([0.3, -0.2, 0.1]);
-            let points = lattice(
-                &Shape::Ball {
-                    centre,
-                    radius: 10.0,
-                },
-                jitter,
-            );
+            let points = cut(12.0, 0.3, jitter, |x| (*x - centre).norm() < 10.0);
             let at = centre + Vector([0.0, 0.0, height]);
             let found = waist(&points, at, Vector([0.0, 0.0, 2.0]), 1.0).unwrap();
             let exact = f64::sqrt(100.0 - height * height);
