@@ -52,6 +52,9 @@ mod walls;
 pub use case::{Body, Case};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use grammar::{ContactAngle, Crown, Measure, Oscillation, Output, Sensor, Window};
+pub use grammar::{
+    Arc, Crown, Measure, Oscillation, Output, Sensor, StaticPressure, Waist, Window,
+};
 pub use memory::BYTES_PER_PARTICLE;
 pub use schema::schema;
 pub use speed::{SpeedScales, default_sound_speed};

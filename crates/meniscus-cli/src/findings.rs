@@ -13,6 +13,7 @@ use meniscus_output::Series;
 use serde::{Deserialize, Serialize};
 
 use crate::expected;
+use crate::sample::arc::DEVIATION;
 
 /// A number that was measured.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -206,6 +207,17 @@ fn curvature(case: &Case, series: &Series, findings: &mut Findings) {
             let name = format!("curvature at {}, at the start", place.name);
             findings.add(&id, &name, "1/m", None, exact(first));
         }
+    }
+    let deviation = series.column(DEVIATION.0).and_then(<[f64]>::first);
+    if let (Some(&deviation), Some(_)) = (deviation, &case.measure.curvature_along) {
+        let name = "rms of curvature times R, less 1, along the arc at the start";
+        findings.add(
+            "arc-deviation",
+            name,
+            "",
+            Some(("exact", 0.0)),
+            exact(deviation),
+        );
     }
 }
 

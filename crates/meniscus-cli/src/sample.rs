@@ -1,5 +1,6 @@
 //! What is written of a flow: the columns of the time series, and frames.
 
+pub mod arc;
 pub mod asked;
 mod pieces;
 
@@ -112,6 +113,9 @@ impl<'a, const D: usize> Sampler<'a, D> {
         for name in &self.curvature_names {
             columns.push(Column::new(&format!("curvature at {name}"), "1/m"));
         }
+        if self.case.measure.curvature_along.is_some() {
+            columns.push(Column::new(arc::DEVIATION.0, arc::DEVIATION.1));
+        }
         for name in self.wall_names.iter().take(MOST_BODIES) {
             for axis in &AXES[..D] {
                 columns.push(Column::new(&format!("{name} force {axis}"), &per("N")));
@@ -189,6 +193,13 @@ impl<'a, const D: usize> Sampler<'a, D> {
             let nearest = liquid.min_by(|a, b| distance(a).total_cmp(&distance(b)));
             let found = nearest.and_then(|i| surface.curvature.get(i));
             row.push(found.copied().unwrap_or(f64::NAN));
+        }
+        if let Some(asked) = &self.case.measure.curvature_along {
+            let rows = (0..all.len().min(surface.curvature.len()))
+                .filter(|&i| !simulation.is_wall(all.body[i]))
+                .map(|i| (all.position[i].to_3d(), surface.curvature[i]));
+            let along = arc::along(asked, self.case.spacing, rows);
+            row.push(arc::deviation(asked, D, &along));
         }
         for load in simulation.wall_loads().iter().take(MOST_BODIES) {
             row.extend(&load.force[..D]);

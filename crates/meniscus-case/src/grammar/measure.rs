@@ -28,6 +28,8 @@ pub struct Measure {
     pub sensors: Vec<Sensor>,
     /// Places where the curvature of the surface is read.
     pub curvature: Vec<Sensor>,
+    /// A round part of the surface, along which curvature is compared with 1 / R.
+    pub curvature_along: Option<Arc>,
 }
 
 /// A damped cosine fitted to the semi-axes; its frequency gives the surface tension.
@@ -84,6 +86,19 @@ pub struct Crown {
     pub start: f64,
     /// Where power laws are fitted.
     pub window: Window,
+}
+
+/// A round part of a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arc {
+    /// Its centre, m; in 2D the third component is zero.
+    pub centre: [f64; 3],
+    /// Radius of the outermost particles, m.
+    pub radius: f64,
+    /// Where it begins: the angle from the x axis, in 3D about it, rad.
+    pub from: f64,
+    /// Where it ends, rad.
+    pub to: f64,
 }
 
 /// A plane that cuts a body.
@@ -185,7 +200,31 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[&str]) -> Me
             "Places where the curvature of the surface is read, from the nearest particle.",
             sensors,
         ),
+        curvature_along: fields.optional(
+            "curvature_along",
+            "A round part of the surface, along which curvature is compared with 1 / R.",
+            |node| node.table(arc),
+        ),
     })
+}
+
+fn arc(fields: &mut Fields<'_, '_>) -> Arc {
+    let angle = |node: &mut Node<'_>| node.quantity(&units::ANGLE, Sign::NotNegative);
+    Arc {
+        centre: fields.required("centre", "Its centre.", |node| {
+            node.vector(&units::LENGTH, Sign::Any)
+        }),
+        radius: fields.required("radius", "Radius of the outermost particles.", |node| {
+            node.quantity(&units::LENGTH, Sign::Positive)
+        }),
+        from: fields.or(
+            "from",
+            "'0 deg'",
+            "Where it begins, from the x axis.",
+            angle,
+        ),
+        to: fields.or("to", "'180 deg'", "Where it ends.", angle),
+    }
 }
 
 fn waist(fields: &mut Fields<'_, '_>) -> Waist {

@@ -1,6 +1,7 @@
 //! The figures of a report: [`pictures`] of the particles, [`curves`] over
 //! time, and the pressure [`profile`] of a round body.
 
+mod along;
 mod curves;
 mod pictures;
 mod profile;
@@ -24,6 +25,7 @@ pub fn of(
     figures.extend(curves::axes(case, series, measured));
     figures.extend(curves::energies(case, series));
     figures.extend(curves::loads(case, series));
+    figures.extend(along::figure(case, &frames)?);
     figures.extend(profile::figure(case, &frames, measured)?);
     Ok(figures)
 }
