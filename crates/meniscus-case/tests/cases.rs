@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use meniscus_case::{Case, Diagnostics, Severity};
+use meniscus_case::{Case, Diagnostic, Diagnostics, Severity};
 
 fn files(folder: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
@@ -50,7 +50,12 @@ fn good_cases_are_read_without_a_warning() {
         let case = Case::from_file(&path).unwrap_or_else(|wrong| panic!("{wrong}"));
         // Cases that show the whole language hold what no one should simulate.
         let odd = case.name.starts_with("everything");
-        assert!(odd || case.warnings.is_empty(), "{}", case.warnings);
+        // A paper's own speed of sound may be low.
+        let published = path.components().any(|part| part.as_os_str() == "papers");
+        let expected = |warning: &Diagnostic| {
+            odd || published && warning.message.starts_with("the sound speed")
+        };
+        assert!(case.warnings.iter().all(expected), "{}", case.warnings);
         assert!(case.particle_count() > 0);
         assert_eq!(
             case.particle_count(),
