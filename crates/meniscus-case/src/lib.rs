@@ -51,9 +51,8 @@ mod walls;
 
 pub use case::{Body, Case};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
-pub use grammar::{ContactAngle, Crown, Measure, Oscillation, Output, Sensor, Window};
 pub use grammar::{
-    Arc, Crown, Measure, Oscillation, Output, Sensor, StaticPressure, Waist, Window,
+    Arc, ContactAngle, Crown, Measure, Oscillation, Output, Sensor, StaticPressure, Waist, Window,
 };
 pub use memory::BYTES_PER_PARTICLE;
 pub use schema::schema;

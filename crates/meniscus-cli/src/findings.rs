@@ -1,7 +1,7 @@
 //! What a finished run shows: numbers beside what they should be.
 
-mod contact_angle;
 mod at_rest;
+mod contact_angle;
 mod crown;
 mod extremes;
 mod merging;

@@ -18,7 +18,8 @@ mod wall;
 
 pub(crate) use body::{DraftBody, Geometry};
 pub(crate) use document::{Draft, document};
-pub use measure::{ContactAngle, Crown, Measure, Oscillation, Sensor, Window};
-pub use measure::{Arc, Crown, Measure, Oscillation, Sensor, StaticPressure, Waist, Window};
+pub use measure::{
+    Arc, ContactAngle, Crown, Measure, Oscillation, Sensor, StaticPressure, Waist, Window,
+};
 pub use output::Output;
 pub(crate) use wall::{DraftWall, Surface, WallShape};

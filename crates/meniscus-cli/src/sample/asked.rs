@@ -30,6 +30,7 @@ pub const CONTACT_ANGLE: [(&str, &str); 5] = [
     ("drop height", "m"),
     ("gap below the drop", "m"),
 ];
+
 /// Column of `static_pressure` where it asks for the pressure outside.
 pub const OUTSIDE: (&str, &str) = ("outside pressure", "Pa");
 
@@ -69,6 +70,7 @@ pub fn row<const D: usize>(case: &Case, liquid: &Particles<D>) -> Vec<f64> {
     }
     if let Some(asked) = &case.measure.contact_angle {
         row.extend(on_wall(asked, &liquid.of_bodies(|body| body == 0)));
+    }
     let outside = (case.measure.static_pressure.as_ref()).and_then(|asked| asked.outside);
     if let Some(at) = outside {
         let sensor = Sensor {

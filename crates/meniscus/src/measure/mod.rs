@@ -19,8 +19,8 @@
 //!   [`OscillationSurfaceTension`]
 //! - a fitted power law: [`PowerLaw`]
 
-mod circle;
 mod bag;
+mod circle;
 mod compression_energy;
 mod contact_angle;
 mod crown;
@@ -38,8 +38,6 @@ mod samples;
 mod semi_axes;
 mod sensor;
 mod surface;
-#[cfg(test)]
-mod testing;
 mod totals;
 mod waist;
 
