@@ -1,6 +1,7 @@
 //! What a finished run shows: numbers beside what they should be.
 
 mod at_rest;
+pub mod budget;
 mod contact_angle;
 mod crown;
 mod extremes;
@@ -56,6 +57,7 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     roundness::measure(case, series, &mut findings);
     crown::measure(case, series, &mut findings);
     contact_angle::measure(case, series, &mut findings);
+    budget::measure(case, series, &mut findings);
     common(case, series, &mut findings);
     findings
 }

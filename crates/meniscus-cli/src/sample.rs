@@ -2,6 +2,7 @@
 
 pub mod arc;
 pub mod asked;
+pub mod budget;
 mod pieces;
 
 use meniscus::measure::{
@@ -124,6 +125,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
                 columns.push(Column::new(&format!("{name} moment {axis}"), &per("N m")));
             }
         }
+        columns.extend(budget::columns(self.case, &per("J")));
         columns.extend(asked::columns(self.case));
         columns.extend(pieces::columns(self.case));
         columns
@@ -205,6 +207,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
             row.extend(&load.force[..D]);
             row.extend(&load.moment[3 - turned_about(D).len()..]);
         }
+        row.extend(budget::row(self.case, simulation, p));
         row.extend(asked::row(self.case, p));
         row.extend(pieces::row(self.case, p));
         row

@@ -14,6 +14,7 @@ use crate::snapshot::Snapshot;
 use crate::term::{PairTerm, Sweep};
 use crate::time::integrator::{drift, kick, kick_drift};
 use crate::time::step::StepLimits;
+use crate::time::work::Work;
 use crate::vector::Vector;
 
 /// Skin of the first lists, and bounds of all later ones, in spacings.
@@ -38,6 +39,7 @@ pub struct Simulation<const D: usize> {
     pub(crate) spacing: f64,
     pub(crate) time: f64,
     pub(crate) steps: u64,
+    pub(crate) work: Work,
     pub(crate) next_step: f64,
     pub(crate) limits: StepLimits,
     /// Of the last velocities, m/s.
@@ -68,6 +70,7 @@ impl<const D: usize> Simulation<D> {
         }
         simulation.rates.update_pressure(&mut simulation.particles);
         (simulation.table.accelerate)(&mut simulation.rates, &mut simulation.particles, 0.0);
+        simulation.work.push(simulation.rates.walls.power(), 0.0);
         simulation.choose_step();
         Ok(simulation)
     }
@@ -106,6 +109,7 @@ impl<const D: usize> Simulation<D> {
             spacing,
             time: 0.0,
             steps: 0,
+            work: Work::default(),
             next_step: 0.0,
             limits,
             largest_speed: 0.0,
@@ -131,14 +135,27 @@ impl<const D: usize> Simulation<D> {
         if self.rates.scheme.density == DensityForm::Summation {
             (self.table.advance_density)(&mut self.rates, &mut self.particles, self.time, dt);
         }
+        self.fall(dt);
         self.time += dt;
         (self.table.accelerate)(&mut self.rates, &mut self.particles, self.time);
+        self.work.push(self.rates.walls.power(), dt);
         self.steps += 1;
         // Velocities are still those that the accelerations belong to.
         self.check_state()?;
         kick(&mut self.particles, dt, damping);
         self.choose_step();
         self.check_step()
+    }
+
+    /// Counts the work of the body force in the drift from now on.
+    fn fall(&mut self, dt: f64) {
+        let rates = &self.rates;
+        if rates.scheme.body_force.is_some() {
+            let ends = [self.time, self.time + dt].map(|time| rates.body_force(time));
+            let mean = (ends[0] + ends[1]) * 0.5;
+            let moves = |body| !rates.walls.is_wall(body);
+            self.work.fall(&self.particles, moves, mean, dt);
+        }
     }
 
     fn refresh_lists(&mut self) {
@@ -300,6 +317,11 @@ impl<const D: usize> Simulation<D> {
     /// Time, s.
     pub fn time(&self) -> f64 {
         self.time
+    }
+
+    /// Work done on the liquid so far.
+    pub fn work(&self) -> Work {
+        self.work
     }
 
     /// Steps so far.

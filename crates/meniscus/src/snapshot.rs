@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::rates::{Dimension, Space};
 use crate::setup::{Setup, SetupError};
 use crate::simulation::Simulation;
+use crate::time::work::Work;
 use crate::vector::Vector;
 
 /// State of a simulation. Vectors are stored component by component.
@@ -19,6 +20,8 @@ pub struct Snapshot {
     pub steps: u64,
     /// Length of the next step, s.
     pub next_step: f64,
+    /// Work done on the liquid so far.
+    pub work: Work,
     /// Positions, m.
     pub position: Vec<f64>,
     /// Positions when the neighbour lists were built, m: the order of summation depends on them.
@@ -43,6 +46,7 @@ impl Snapshot {
             time: simulation.time,
             steps: simulation.steps,
             next_step: simulation.next_step,
+            work: simulation.work,
             position: flatten(&particles.position),
             reference: flatten(simulation.rates.pairs.reference()),
             skin: simulation.rates.pairs.skin(),
@@ -107,6 +111,7 @@ impl<const D: usize> Simulation<D> {
         simulation.time = snapshot.time;
         simulation.rates.walls.resume(snapshot.time);
         simulation.steps = snapshot.steps;
+        simulation.work = snapshot.work;
         simulation.choose_step();
         simulation.next_step = snapshot.next_step;
         Ok(simulation)

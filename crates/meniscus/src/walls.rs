@@ -38,6 +38,8 @@ pub(crate) struct Walls<const D: usize> {
     sums: Vec<Neighbourhood<f64, D>>,
     compression: Compression,
     loads: Vec<WallLoad>,
+    /// Work on the liquid per time, W.
+    power: f64,
     /// Of the last force, s.
     time: f64,
     /// Of the step that is under way, s.
@@ -82,6 +84,11 @@ impl<const D: usize> Walls<D> {
             fluids,
             slip: &self.slip,
         }
+    }
+
+    /// Whether a body is a wall.
+    pub(crate) fn is_wall(&self, body: u16) -> bool {
+        self.is_wall.get(usize::from(body)) == Some(&true)
     }
 
     /// Takes up a march that had come to `time`, s.
@@ -174,6 +181,7 @@ impl<const D: usize> Walls<D> {
         }
         self.time = time;
         self.loads.fill(WallLoad::default());
+        self.power = 0.0;
         self.place(pairs, particles, time);
         let is_wall = &self.is_wall;
         let near_wall = |rows: std::ops::Range<usize>| {
@@ -205,6 +213,11 @@ impl<const D: usize> Walls<D> {
             particles.pressure[row] = pressure;
             particles.density[row] = own.density(pressure);
         }
+    }
+
+    /// What the walls do on the liquid by the last forces, W.
+    pub(crate) fn power(&self) -> f64 {
+        self.power
     }
 
     /// Whether any of these rows feels, or exerts, a force.
@@ -243,6 +256,9 @@ impl<const D: usize> Walls<D> {
             let a = std::mem::take(&mut acceleration[row]);
             let force = (a * particles.mass[row]).to_3d();
             let x = particles.position[row].to_3d();
+            if let Some(moved) = self.moved(particles, row, self.time) {
+                self.power -= particles.mass[row] * a.dot(&moved.velocity);
+            }
             let load = &mut self.loads[wall];
             for d in 0..3 {
                 let (e, f) = ((d + 1) % 3, (d + 2) % 3);
@@ -305,6 +321,6 @@ impl<const D: usize> Simulation<D> {
 
     /// Whether a body is a wall.
     pub fn is_wall(&self, body: u16) -> bool {
-        self.rates.walls.is_wall.get(usize::from(body)) == Some(&true)
+        self.rates.walls.is_wall(body)
     }
 }

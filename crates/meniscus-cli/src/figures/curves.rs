@@ -1,4 +1,4 @@
-//! Semi-axes, energies and loads on walls over time, with theory beside them.
+//! Semi-axes, energies, work and loads on walls over time, with theory beside them.
 
 use meniscus::scheme::BodyForce;
 use meniscus_case::Case;
@@ -6,7 +6,8 @@ use meniscus_output::Series;
 use meniscus_report::{Axis, Curve, Figure, LinePlot};
 
 use crate::expected;
-use crate::findings::Findings;
+use crate::findings::{Findings, budget::lost};
+use crate::sample::budget::BUDGET;
 
 /// Points that show a fitted curve.
 const FITTED_POINTS: usize = 60;
@@ -79,6 +80,26 @@ pub fn energies(case: &Case, series: &Series) -> Option<Figure> {
         }
     }
     Some(plot.figure("energies", &caption))
+}
+
+/// What weight and walls put into the liquid, and what it kept.
+pub fn budget(case: &Case, series: &Series) -> Option<Figure> {
+    let time = series.column("time")?;
+    let lost = lost(series)?;
+    let unit = if case.dimension == 2 { "J/m" } else { "J" };
+    let mut plot = LinePlot::new(Axis::new("Time", "s"), Axis::new("Energy", unit));
+    for name in BUDGET[1..]
+        .iter()
+        .chain(&["kinetic energy", "compression energy"])
+    {
+        plot = plot.with(Curve::line(name, time, series.column(name)?));
+    }
+    let caption = "Work done on the liquid and its energies. What is missing of the work is heat, \
+                   and energy of the surface.";
+    Some(
+        plot.with(Curve::dashed("missing", time, &lost))
+            .figure("energy-budget", caption),
+    )
 }
 
 /// Forces on the walls.

@@ -24,6 +24,7 @@ pub fn of(
     let mut figures = pictures::figures(case, &frames, measured)?;
     figures.extend(curves::axes(case, series, measured));
     figures.extend(curves::energies(case, series));
+    figures.extend(curves::budget(case, series));
     figures.extend(curves::loads(case, series));
     figures.extend(along::figure(case, &frames)?);
     figures.extend(profile::figure(case, &frames, measured)?);

@@ -6,6 +6,7 @@ mod common;
 mod budget;
 mod channel;
 mod density_diffusion;
+mod energy;
 mod hydrostatics;
 mod layout;
 mod march;
