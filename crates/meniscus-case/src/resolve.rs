@@ -1,7 +1,7 @@
 //! From the text of a file to a case: read, fill the bodies, choose what the
 //! file leaves to the flow, check that the whole makes sense.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use meniscus::scheme::{Fluid, Scheme};
 use toml::de::{DeTable, DeValue};
@@ -19,7 +19,12 @@ use crate::walls::largest_speed;
 pub(crate) fn resolve(name: &str, source: &str) -> Result<Case, Diagnostics> {
     let table = DeTable::parse(source).map_err(|error| syntax(name, source, &error))?;
     let tree = DeValue::Table(table.into_inner());
-    let context = Context::default();
+    let context = Context {
+        folder: Path::new(name)
+            .parent()
+            .map_or_else(PathBuf::new, Path::to_path_buf),
+        ..Context::default()
+    };
     let mut node = Node::root(&context, Some(&tree));
     let draft = document(&mut node);
     let mut echo = node.echo;

@@ -125,6 +125,11 @@ fn lay<const D: usize>(
             let positions = layers.polygon(corners, *side)?;
             return Ok(positions.iter().map(Vector::to_3d).collect());
         }
+        WallShape::Mesh { mesh, side } => {
+            let mesh = mesh.as_ref().ok_or(FillError::Empty)?;
+            let positions = layers.mesh(mesh, *side)?;
+            return Ok(positions.iter().map(Vector::to_3d).collect());
+        }
     };
     Ok(positions?.iter().map(Vector::to_3d).collect())
 }

@@ -6,6 +6,7 @@ use meniscus::shape::{Arrangement, Shape};
 
 use super::arrangement::arrangement;
 use super::fluid::DraftFluid;
+use super::motion::angular_velocity;
 use super::shape::shape;
 use crate::diagnostic::nearest;
 use crate::read::{Echo, Fields, Node, Sign};
@@ -39,29 +40,12 @@ impl Geometry {
 
 /// All bodies; none where the file does not say how many dimensions it has.
 pub(super) fn bodies(node: &mut Node<'_>, fluids: &[DraftFluid]) -> Vec<DraftBody> {
-    if node.is_table() {
-        let help = "write [[body]] in double brackets, once for each body";
-        node.fail(
-            "`body` must be a list".into(),
-            "this is a single table",
-            help,
-        );
-        return Vec::new();
-    }
-    let mut count = 0;
-    let read = |node: &mut Node<'_>| {
-        count += 1;
-        let dimension = node.context.dimension.get();
-        if dimension.is_none() && !node.context.describing {
-            node.example = "{ shape = { block = { ... } } }".into();
-            return None;
-        }
-        Some(match dimension {
-            Some(2) => body(node, count, fluids, Geometry::Plane),
-            _ => body(node, count, fluids, Geometry::Space),
-        })
-    };
-    let bodies: Vec<_> = node.list(1, read).into_iter().flatten().collect();
+    let bodies = sections(
+        node,
+        "{ shape = { block = { ... } } }",
+        |node, number| body(node, number, fluids, Geometry::Plane),
+        |node, number| body(node, number, fluids, Geometry::Space),
+    );
     let most = usize::from(u16::MAX);
     if bodies.len().max(fluids.len()) > most {
         let help =
@@ -73,6 +57,39 @@ pub(super) fn bodies(node: &mut Node<'_>, fluids: &[DraftFluid]) -> Vec<DraftBod
         );
     }
     bodies
+}
+
+/// A list of tables, each numbered from 1, with a reader for each number of dimensions; none where
+/// the file does not say how many it has.
+pub(super) fn sections<T>(
+    node: &mut Node<'_>,
+    example: &str,
+    mut plane: impl FnMut(&mut Node<'_>, usize) -> T,
+    mut space: impl FnMut(&mut Node<'_>, usize) -> T,
+) -> Vec<T> {
+    if node.is_table() {
+        let key = &node.name;
+        node.fail(
+            format!("`{key}` must be a list"),
+            "this is a single table",
+            format!("write [[{key}]] in double brackets, once for each {key}"),
+        );
+        return Vec::new();
+    }
+    let mut count = 0;
+    let read = |node: &mut Node<'_>| {
+        count += 1;
+        let dimension = node.context.dimension.get();
+        if dimension.is_none() && !node.context.describing {
+            node.example = example.into();
+            return None;
+        }
+        Some(match dimension {
+            Some(2) => plane(node, count),
+            _ => space(node, count),
+        })
+    };
+    node.list(1, read).into_iter().flatten().collect()
 }
 
 fn body<const D: usize>(
@@ -101,13 +118,7 @@ fn body<const D: usize>(
         });
         let about = "Solid rotation at the start, about the centre of mass: anticlockwise, or in 3D a vector.";
         let default = if D == 2 { "'0 rad/s'".into() } else { zeros("rad/s") };
-        let angular_velocity = fields.or("angular_velocity", &default, about, |node| {
-            node.either(
-                D == 2,
-                |node| [0.0, 0.0, node.quantity(&units::ANGULAR_VELOCITY, Sign::Any)],
-                |node| node.vector(&units::ANGULAR_VELOCITY, Sign::Any),
-            )
-        });
+        let angular_velocity = fields.or("angular_velocity", &default, about, angular_velocity::<D>);
         DraftBody { name, fluid, geometry: geometry(shape, arrangement), shape_span, velocity, angular_velocity }
     })
 }

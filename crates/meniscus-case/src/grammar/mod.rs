@@ -1,7 +1,7 @@
 //! What may stand in a case file, and what it means.
 //!
 //! - `document`: the top of the file
-//! - `fluid`, `body`, `shape`, `arrangement`: what there is at the start; `wall`: around it
+//! - `fluid`, `body`, `shape`, `arrangement`: what there is at the start; `wall`, `wall_shape`, `motion`: around it
 //! - `physics`: what is solved; `pairwise`: surface tension by forces of pairs
 //! - `output`: how often results are written; `measure`: what is measured
 
@@ -10,11 +10,13 @@ mod body;
 mod document;
 mod fluid;
 mod measure;
+mod motion;
 mod output;
 mod pairwise;
 mod physics;
 mod shape;
 mod wall;
+mod wall_shape;
 
 pub(crate) use body::{DraftBody, Geometry};
 pub(crate) use document::{Draft, document};
@@ -22,4 +24,5 @@ pub use measure::{
     Arc, ContactAngle, Crown, Measure, Oscillation, Sensor, StaticPressure, Waist, Window,
 };
 pub use output::Output;
-pub(crate) use wall::{DraftWall, Surface, WallShape};
+pub(crate) use wall::DraftWall;
+pub(crate) use wall_shape::{Surface, WallShape};

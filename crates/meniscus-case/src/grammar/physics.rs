@@ -10,6 +10,7 @@ use meniscus::scheme::{
     SurfaceTension, TimeStep, ViscosityForm,
 };
 
+use super::motion::swing;
 use super::pairwise;
 use crate::read::{Choice, Node, Sign};
 use crate::units;
@@ -316,19 +317,18 @@ const BODY_FORCE: &[Choice<BodyForce>] = &[
         |node| {
             let dimension = node.context.dimension.get().unwrap_or(2);
             let zero = format!("[{}]", vec!["'0 m/s^2'"; dimension].join(", "));
-            node.table(|fields| BodyForce::Oscillating {
-                mean: fields.or("mean", &zero, "The constant part.", |node| {
+            node.table(|fields| {
+                let mean = fields.or("mean", &zero, "The constant part.", |node| {
                     node.vector(&units::ACCELERATION, Sign::Any)
-                }),
-                amplitude: fields.required("amplitude", "The oscillating part.", |node| {
-                    node.vector(&units::ACCELERATION, Sign::Any)
-                }),
-                frequency: fields.required("frequency", "Oscillations per second.", |node| {
-                    node.quantity(&units::RATE, Sign::Positive)
-                }),
-                phase: fields.or("phase", "'0 deg'", "Phase at the start.", |node| {
-                    node.quantity(&units::ANGLE, Sign::Any)
-                }),
+                });
+                let about = "The oscillating part.";
+                let (amplitude, frequency, phase) = swing(fields, &units::ACCELERATION, about);
+                BodyForce::Oscillating {
+                    mean,
+                    amplitude,
+                    frequency,
+                    phase,
+                }
             })
         },
     ),

@@ -68,7 +68,7 @@ fn block<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
 fn ball<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
     node.table(|fields| {
         let radius = radius(fields);
-        let centre = centre(fields);
+        let centre = centre(fields, "The centre.");
         Shape::Ball { centre, radius }
     })
 }
@@ -80,7 +80,7 @@ fn ellipsoid<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
             "Half the length along x, y (and z), before it is turned.",
             |node| Vector::from_3d(node.vector(&units::LENGTH, Sign::Positive)),
         );
-        let centre = centre(fields);
+        let centre = centre(fields, "The centre.");
         let rotation = rotation(fields, "How it is turned about its centre.");
         Shape::Ellipsoid {
             centre,
@@ -91,17 +91,15 @@ fn ellipsoid<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
 }
 
 fn polygon<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
-    node.table(|fields| {
-        let corners = fields.required(
-            "corners",
-            "The corners in order; the last is joined to the first.",
-            |node| {
-                node.list(3, |node| {
-                    Vector::from_3d(node.vector(&units::LENGTH, Sign::Any))
-                })
-            },
-        );
-        Shape::Polygon(corners)
+    node.table(|fields| Shape::Polygon(corners(fields)))
+}
+
+pub(super) fn corners(fields: &mut Fields<'_, '_>) -> Vec<Vector<f64, 2>> {
+    let about = "The corners in order; the last is joined to the first.";
+    fields.required("corners", about, |node| {
+        node.list(3, |node| {
+            Vector::from_3d(node.vector(&units::LENGTH, Sign::Any))
+        })
     })
 }
 
@@ -132,7 +130,7 @@ fn difference<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
     }
 }
 
-fn point<const D: usize>(
+pub(super) fn point<const D: usize>(
     fields: &mut Fields<'_, '_>,
     key: &'static str,
     about: &str,
@@ -142,14 +140,15 @@ fn point<const D: usize>(
     })
 }
 
-fn centre<const D: usize>(fields: &mut Fields<'_, '_>) -> Vector<f64, D> {
+/// A point that is the origin if none is given.
+pub(super) fn centre<const D: usize>(fields: &mut Fields<'_, '_>, about: &str) -> Vector<f64, D> {
     let origin = format!("[{}]", ["'0 m'"; D].join(", "));
-    fields.or("centre", &origin, "The centre.", |node| {
+    fields.or("centre", &origin, about, |node| {
         Vector::from_3d(node.vector(&units::LENGTH, Sign::Any))
     })
 }
 
-fn radius(fields: &mut Fields<'_, '_>) -> f64 {
+pub(super) fn radius(fields: &mut Fields<'_, '_>) -> f64 {
     fields.required("radius", "The radius.", |node| {
         node.quantity(&units::LENGTH, Sign::Positive)
     })

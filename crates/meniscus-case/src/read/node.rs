@@ -2,6 +2,7 @@
 
 use std::cell::{Cell, RefCell};
 use std::ops::Range;
+use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
 use toml::Spanned;
@@ -20,6 +21,8 @@ pub(crate) struct Context {
     pub diagnostics: RefCell<Vec<Diagnostic>>,
     /// Whether the walk is made without a file, for the schema.
     pub describing: bool,
+    /// Where the file lies, from which the names of others start.
+    pub folder: PathBuf,
     /// What `dx` stands for; NaN where the file's is wrong.
     pub spacing: Cell<Option<f64>>,
     /// Dimensions of space; none where the file's is wrong.

@@ -5,6 +5,7 @@
 //! - `polygon`: the same for a polygon
 //! - `rotation`: how a shape or a lattice is turned
 //! - `arrangement`: lattices and rings, and filling a shape with them
+//! - `mesh`: surfaces of triangles; `stl`: files of them
 //! - `jitter`: small random displacements, the same for ever
 //!
 //! ```
@@ -22,11 +23,15 @@
 mod arrangement;
 mod geometry;
 mod jitter;
+mod mesh;
 mod polygon;
 mod rotation;
+mod stl;
 
 pub use arrangement::{Arrangement, FillError, Pattern};
 pub use geometry::Shape;
+pub use mesh::{Mesh, MeshError};
+pub(crate) use mesh::{Nearest, bounds};
 pub use rotation::Rotation;
 
 #[cfg(test)]

@@ -10,5 +10,6 @@ mod energy;
 mod hydrostatics;
 mod layout;
 mod march;
+mod mesh;
 mod piston;
 mod setups;

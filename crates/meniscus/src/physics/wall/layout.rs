@@ -3,6 +3,8 @@
 //!
 //! Along the surface they are a spacing apart, up to what makes a whole number of them fit.
 
+mod mesh;
+
 use std::f64::consts::{PI, TAU};
 
 use crate::shape::FillError;
