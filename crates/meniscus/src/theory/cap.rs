@@ -44,6 +44,36 @@ impl Cap {
             height: curvature_radius * (1.0 - cos),
         }
     }
+
+    /// The cap with this base radius, m, and contact angle (rad, above 0, below pi).
+    pub fn of_base(base_radius: f64, contact_angle: f64) -> Cap {
+        let curvature_radius = base_radius / contact_angle.sin();
+        Cap {
+            curvature_radius,
+            base_radius,
+            height: base_radius * (0.5 * contact_angle).tan(),
+        }
+    }
+
+    /// Its volume, m^3; in 2D its area, m^2: with height h and base radius b,
+    /// pi h (3 b^2 + h^2) / 6 in 3D; in 2D that of the sector less that of the triangle.
+    ///
+    /// ```
+    /// use meniscus::theory::Cap;
+    /// // Half a ball, and half a disc.
+    /// let half = Cap::of_base(1.0, std::f64::consts::FRAC_PI_2);
+    /// assert!((half.volume(3) - 2.0 / 3.0 * std::f64::consts::PI).abs() < 1e-14);
+    /// assert!((half.volume(2) - std::f64::consts::FRAC_PI_2).abs() < 1e-14);
+    /// ```
+    pub fn volume(&self, dimension: usize) -> f64 {
+        let (h, b) = (self.height, self.base_radius);
+        if dimension == 2 {
+            let angle = contact_angle(h, b);
+            self.curvature_radius.powi(2) * angle - b * (self.curvature_radius - h)
+        } else {
+            PI * h * (3.0 * b * b + h * h) / 6.0
+        }
+    }
 }
 
 /// Contact angle, rad, of a cap of this height and base radius (any one unit):
@@ -89,6 +119,9 @@ mod tests {
                     "{dimension}D, {degrees} degrees: {volume}"
                 );
                 assert!((contact_angle(cap.height, cap.base_radius) - theta).abs() < 1e-12);
+                let same = Cap::of_base(cap.base_radius, theta);
+                assert!((same.volume(dimension) - 7.0).abs() < 1e-11);
+                assert!((same.height - cap.height).abs() < 1e-12);
             }
         }
     }

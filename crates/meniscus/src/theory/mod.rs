@@ -12,7 +12,9 @@ mod capillary;
 mod dimensionless;
 mod ellipsoid;
 mod laplace;
+mod meniscus;
 mod oscillation;
+mod two_fluid_oscillation;
 mod viscous_oscillation;
 
 pub use artificial_viscosity::artificial_kinematic_viscosity;
@@ -23,5 +25,7 @@ pub use dimensionless::{
 };
 pub use ellipsoid::{ellipse_perimeter, ellipsoid_area, equivalent_radius};
 pub use laplace::{pressure_jump, surface_tension_from_pressure};
+pub use meniscus::{PlateMeniscus, jurin_rise, meniscus_height, meniscus_rise, puddle_height};
 pub use oscillation::{angular_frequency, surface_tension_from_frequency};
+pub use two_fluid_oscillation::{Medium, immersed_angular_frequency, two_fluid_oscillation};
 pub use viscous_oscillation::{ViscousOscillation, lamb_damping_rate, viscous_oscillation};

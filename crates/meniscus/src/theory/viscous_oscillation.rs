@@ -109,7 +109,7 @@ fn characteristic(s: Complex<f64>, mode: u32, viscosity: f64, dimension: usize) 
 
 /// k I'(k) / I(k), a function of k^2, by the continued fraction of neighbouring orders:
 /// n + k^2 / (2 n + D + k^2 / (2 n + D + 2 + ...)).
-fn log_derivative(k2: Complex<f64>, mode: u32, dimension: usize) -> Complex<f64> {
+pub(super) fn log_derivative(k2: Complex<f64>, mode: u32, dimension: usize) -> Complex<f64> {
     // Terms beyond the order |k| fall off fast; the tail is that of equal terms.
     let terms = 40 + 2 * k2.modulus().sqrt() as u32;
     let coefficient = |j: u32| f64::from(2 * (mode + j)) + dimension as f64;
@@ -123,7 +123,10 @@ fn log_derivative(k2: Complex<f64>, mode: u32, dimension: usize) -> Complex<f64>
 
 /// Newton's method with a derivative by central difference; `None` if it finds no
 /// root above the real axis.
-fn newton(mut s: Complex<f64>, f: impl Fn(Complex<f64>) -> Complex<f64>) -> Option<Complex<f64>> {
+pub(super) fn newton(
+    mut s: Complex<f64>,
+    f: impl Fn(Complex<f64>) -> Complex<f64>,
+) -> Option<Complex<f64>> {
     let d = 1e-6;
     for _ in 0..60 {
         let slope = (f(s + d) - f(s - d)) / (2.0 * d);
