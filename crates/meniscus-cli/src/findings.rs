@@ -7,6 +7,7 @@ mod crown;
 mod extremes;
 mod merging;
 mod roundness;
+mod tank;
 
 use meniscus::measure::{DampedCosine, Estimate, OscillationSurfaceTension};
 use meniscus_case::{Case, Window};
@@ -57,6 +58,7 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     roundness::measure(case, series, &mut findings);
     crown::measure(case, series, &mut findings);
     contact_angle::measure(case, series, &mut findings);
+    tank::measure(case, series, &mut findings);
     budget::measure(case, series, &mut findings);
     common(case, series, &mut findings);
     findings
@@ -114,7 +116,7 @@ fn window(series: &Series, name: &str, from: f64, to: f64) -> Option<(Vec<f64>, 
 }
 
 /// The mean of a column over a time; none where the series has nothing there.
-fn mean(series: &Series, name: &str, over: &Window) -> Option<Estimate> {
+pub fn mean(series: &Series, name: &str, over: &Window) -> Option<Estimate> {
     let (_, mut values) = window(series, name, over.from, over.to)?;
     // What could not be measured at a time says nothing of the others.
     values.retain(|value| value.is_finite());

@@ -148,7 +148,8 @@ fn periodic(fields: &mut Fields<'_, '_>) -> [Option<(f64, f64)>; 3] {
     fields.optional("periodic", about, read).unwrap_or_default()
 }
 
-fn interval(node: &mut Node<'_>) -> (f64, f64) {
+/// A lowest and a highest coordinate.
+pub(super) fn interval(node: &mut Node<'_>) -> (f64, f64) {
     let ends = node.list(2, |node| node.quantity(&units::LENGTH, Sign::Any));
     node.schema["maxItems"] = 2.into();
     let (low, high) = (
@@ -167,9 +168,9 @@ fn interval(node: &mut Node<'_>) -> (f64, f64) {
         );
     } else if high - low < node.context.spacing.get().unwrap_or(f64::NAN) {
         node.fail(
-            format!("the box is {:.3e} m wide", high - low),
+            format!("`{}` is {:.3e} m wide", node.name, high - low),
             "less than one spacing",
-            "a periodic box holds at least one particle across",
+            "at least one particle must find room across",
         );
     }
     (low, high)

@@ -1,5 +1,6 @@
 //! What is measured.
 
+use super::document::interval;
 use crate::read::{Fields, Node, Sign};
 use crate::units;
 
@@ -16,6 +17,8 @@ pub struct Measure {
     pub crown: Option<Crown>,
     /// The angle at which a drop meets a wall.
     pub contact_angle: Option<ContactAngle>,
+    /// The surface between the side walls of a tank.
+    pub meniscus: Option<TankSurface>,
     /// Whether the largest extent of the first body, and the time until it is back, are read off.
     pub extremes: bool,
     /// The neck of the first body, where two drops merge or a thread thins.
@@ -70,6 +73,19 @@ pub struct ContactAngle {
     pub normal: [f64; 3],
     /// What to compare with, rad.
     pub expected: Option<f64>,
+    /// Over which time it is averaged.
+    pub window: Window,
+}
+
+/// The surface of all liquid between two vertical walls, the last axis upwards.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TankSurface {
+    /// Where the left and the right wall are along x, m.
+    pub walls: [f64; 2],
+    /// The contact angle to compare with, rad.
+    pub expected: Option<f64>,
+    /// sqrt(sigma / (rho g)), m; none where the shape is to tell it.
+    pub capillary_length: Option<f64>,
     /// Over which time it is averaged.
     pub window: Window,
 }
@@ -164,6 +180,11 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[&str]) -> Me
             "contact_angle",
             "Average the angle at which the first body meets a flat wall, and its size there.",
             |node| node.table(|fields| contact_angle(fields, end_time)),
+        ),
+        meniscus: fields.optional(
+            "meniscus",
+            "Average how the surface in a tank meets its side walls.",
+            |node| node.table(|fields| meniscus(fields, end_time)),
         ),
         extremes: fields
             .optional(
@@ -328,8 +349,19 @@ fn contact_angle(fields: &mut Fields<'_, '_>, end_time: f64) -> ContactAngle {
         }
         normal
     });
+    let expected = expected(fields);
+    ContactAngle {
+        point,
+        normal,
+        expected,
+        window: window(fields, end_time, 0.8),
+    }
+}
+
+/// A contact angle to compare with.
+fn expected(fields: &mut Fields<'_, '_>) -> Option<f64> {
     let about = "The angle to compare with, through the liquid.";
-    let expected = fields.optional("expected", about, |node| {
+    fields.optional("expected", about, |node| {
         let angle = node.quantity(&units::ANGLE, Sign::NotNegative);
         if angle > std::f64::consts::PI {
             node.fail(
@@ -339,11 +371,20 @@ fn contact_angle(fields: &mut Fields<'_, '_>, end_time: f64) -> ContactAngle {
             );
         }
         angle
+    })
+}
+
+fn meniscus(fields: &mut Fields<'_, '_>, end_time: f64) -> TankSurface {
+    let about = "Where the left and the right wall are along x.";
+    let walls = fields.required("walls", about, interval);
+    let about = "sqrt(sigma / (rho g)). Default: what the shape shows.";
+    let capillary_length = fields.optional("capillary_length", about, |node| {
+        node.quantity(&units::LENGTH, Sign::Positive)
     });
-    ContactAngle {
-        point,
-        normal,
-        expected,
+    TankSurface {
+        walls: [walls.0, walls.1],
+        expected: expected(fields),
+        capillary_length,
         window: window(fields, end_time, 0.8),
     }
 }

@@ -5,6 +5,7 @@ mod along;
 mod curves;
 mod pictures;
 mod profile;
+mod tank;
 
 use meniscus_case::Case;
 use meniscus_output::{Frame, FrameReader, RunFolder, Series};
@@ -27,6 +28,7 @@ pub fn of(
     figures.extend(curves::budget(case, series));
     figures.extend(curves::loads(case, series));
     figures.extend(along::figure(case, &frames)?);
+    figures.extend(tank::figure(case, &frames, series)?);
     figures.extend(profile::figure(case, &frames, measured)?);
     Ok(figures)
 }

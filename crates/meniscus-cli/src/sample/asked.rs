@@ -1,6 +1,6 @@
 //! Columns that a case asks for under `[measure]`, each followed through the run.
 
-use meniscus::measure::{Crown, DropOnWall, Outline, Plane, Sensor, centre_of_mass};
+use meniscus::measure::{Crown, DropOnWall, Outline, Plane, Sensor, TankSurface, centre_of_mass};
 use meniscus::{Particles, Vector, theory};
 use meniscus_case::{Case, ContactAngle};
 use meniscus_output::Column;
@@ -31,6 +31,17 @@ pub const CONTACT_ANGLE: [(&str, &str); 5] = [
     ("gap below the drop", "m"),
 ];
 
+/// Columns of `meniscus`; what has two sides, left before right.
+pub const MENISCUS: [(&str, &str); 7] = [
+    ("liquid level", "m"),
+    ("rise at the left wall", "m"),
+    ("rise at the right wall", "m"),
+    ("contact angle at the left wall", "deg"),
+    ("contact angle at the right wall", "deg"),
+    ("capillary length at the left wall", "m"),
+    ("capillary length at the right wall", "m"),
+];
+
 /// Column of `static_pressure` where it asks for the pressure outside.
 pub const OUTSIDE: (&str, &str) = ("outside pressure", "Pa");
 
@@ -45,6 +56,7 @@ pub fn columns(case: &Case) -> Vec<Column> {
     add(case.measure.roundness.is_some(), &ROUNDNESS);
     add(case.measure.crown.is_some(), &CROWN);
     add(case.measure.contact_angle.is_some(), &CONTACT_ANGLE);
+    add(case.measure.meniscus.is_some(), &MENISCUS);
     let outside = (case.measure.static_pressure.as_ref()).and_then(|asked| asked.outside);
     add(outside.is_some(), &[OUTSIDE]);
     columns
@@ -71,6 +83,22 @@ pub fn row<const D: usize>(case: &Case, liquid: &Particles<D>) -> Vec<f64> {
     if let Some(asked) = &case.measure.contact_angle {
         row.extend(on_wall(asked, &liquid.of_bodies(|body| body == 0)));
     }
+    if let Some(asked) = &case.measure.meniscus {
+        let (walls, length) = (asked.walls, asked.capillary_length);
+        let found = TankSurface::measure(&liquid.position, spacing(liquid), walls, length);
+        row.extend(found.map_or([f64::NAN; MENISCUS.len()], |found| {
+            let [left, right] = found.menisci;
+            [
+                found.level.value,
+                left.rise.value,
+                right.rise.value,
+                left.contact_angle.value.to_degrees(),
+                right.contact_angle.value.to_degrees(),
+                left.capillary_length.value,
+                right.capillary_length.value,
+            ]
+        }));
+    }
     let outside = (case.measure.static_pressure.as_ref()).and_then(|asked| asked.outside);
     if let Some(at) = outside {
         let sensor = Sensor {
@@ -94,8 +122,7 @@ fn on_wall<const D: usize>(
     let Some(wall) = Plane::new(point, normal) else {
         return [f64::NAN; CONTACT_ANGLE.len()];
     };
-    // As it is, which compression changes.
-    let spacing = (volume(body) / body.len() as f64).powf(1.0 / D as f64);
+    let spacing = spacing(body);
     let drop = DropOnWall::measure(&body.position, &body.mass, spacing, &wall);
     let of_drop = |of: fn(DropOnWall) -> f64| drop.map_or(f64::NAN, of);
     let heights = body.position.iter().map(|&x| wall.height(x));
@@ -106,6 +133,11 @@ fn on_wall<const D: usize>(
         of_drop(|drop| drop.height),
         heights.fold(f64::INFINITY, f64::min) - 0.5 * spacing,
     ]
+}
+
+/// As it is, which compression changes.
+fn spacing<const D: usize>(body: &Particles<D>) -> f64 {
+    (volume(body) / body.len() as f64).powf(1.0 / D as f64)
 }
 
 fn volume<const D: usize>(body: &Particles<D>) -> f64 {

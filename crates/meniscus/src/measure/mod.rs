@@ -9,7 +9,7 @@
 //! - totals over all particles: [`centre_of_mass`], [`linear_momentum`], [`kinetic_energy`], ...
 //! - the body's shape: [`PrincipalAxes`], [`semi_axes_by_tips`], [`surface_energy`]
 //! - how round a body is, by direction: [`Outline`]
-//! - a splash: [`Crown`]; a drop on a wall: [`DropOnWall`]
+//! - a splash: [`Crown`]; a drop on a wall: [`DropOnWall`]; the surface in a tank: [`TankSurface`]
 //! - which particles lie at a free surface: [`surface_particles`]
 //! - drops that merge or break: [`waist`], [`fragments`], [`Bag`], [`contacts`]
 //! - virtual pressure sensors: [`Sensor`]
@@ -29,6 +29,7 @@ mod estimate;
 mod fit_error;
 mod foot;
 mod fragments;
+mod meniscus;
 mod oscillation;
 mod outline;
 mod power_law;
@@ -49,6 +50,7 @@ pub use damped_cosine::DampedCosine;
 pub use estimate::Estimate;
 pub use fit_error::FitError;
 pub use fragments::{contacts, fragments};
+pub use meniscus::{Meniscus, TankSurface, surface_profile};
 pub use oscillation::OscillationSurfaceTension;
 pub use outline::Outline;
 pub use power_law::PowerLaw;

@@ -43,17 +43,17 @@ pub fn meniscus_height(distance: f64, contact_angle: f64, capillary_length: f64)
     let wall = FRAC_PI_2 - contact_angle;
     let place = |psi: f64| -(0.25 * psi).tan().ln() - 2.0 * (0.5 * psi).cos();
     let wanted = distance / capillary_length + place(wall.abs());
-    // place falls from infinity at 0; far out psi is small and the logarithm alone counts.
-    let (mut low, mut high) = (0.0, wall.abs());
-    for _ in 0..200 {
+    // place falls from infinity at psi = 0, where its logarithm alone counts: bisection in ln psi.
+    let (mut low, mut high) = (-wanted - 1.0, wall.abs().ln());
+    for _ in 0..60 {
         let middle = 0.5 * (low + high);
-        if place(middle) > wanted {
+        if place(middle.exp()) > wanted {
             low = middle;
         } else {
             high = middle;
         }
     }
-    2.0 * capillary_length * (0.5 * high).sin() * wall.signum()
+    2.0 * capillary_length * (0.5 * high.exp()).sin() * wall.signum()
 }
 
 /// The surface between two vertical plates that stand in a wide bath.
