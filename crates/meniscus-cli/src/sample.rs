@@ -10,7 +10,7 @@ use meniscus::measure::{
     linear_momentum, maximum_speed, range, semi_axes_along_coordinates, semi_axes_by_tips,
     specific_compression_energy, surface_energy,
 };
-use meniscus::{Particles, Simulation, Vector};
+use meniscus::{Particles, Simulation, SurfaceTension, Vector};
 use meniscus_case::Case;
 use meniscus_output::{Column, Field, Frame};
 
@@ -108,6 +108,11 @@ impl<'a, const D: usize> Sampler<'a, D> {
         for name in &self.sensor_names {
             columns.push(Column::new(&format!("pressure at {name}"), "Pa"));
         }
+        if self.is_pairwise() {
+            for name in &self.sensor_names {
+                columns.push(Column::new(&format!("virial pressure at {name}"), "Pa"));
+            }
+        }
         for axis in &AXES[..D] {
             columns.push(Column::new(&format!("net surface force {axis}"), &per("N")));
         }
@@ -129,6 +134,12 @@ impl<'a, const D: usize> Sampler<'a, D> {
         columns.extend(asked::columns(self.case));
         columns.extend(pieces::columns(self.case));
         columns
+    }
+
+    /// Whether pairs have a virial.
+    fn is_pairwise(&self) -> bool {
+        let model = &self.case.scheme.surface_tension;
+        matches!(model, Some(SurfaceTension::Pairwise(_)))
     }
 
     /// The name of a body's column: plain where there is only one body.
@@ -187,6 +198,15 @@ impl<'a, const D: usize> Sampler<'a, D> {
             row.push(reading.map_or(f64::NAN, |reading| reading.value));
         }
         let surface = simulation.surface();
+        if self.is_pairwise() {
+            let is_liquid = |&i: &usize| !simulation.is_wall(all.body[i]);
+            let virial = (0..surface.virial_pressure.len()).filter(is_liquid);
+            let virial: Vec<f64> = virial.map(|i| surface.virial_pressure[i]).collect();
+            for sensor in &self.sensors {
+                let reading = sensor.read(&p.position, &p.mass, &p.density, &virial);
+                row.push(reading.map_or(f64::NAN, |reading| reading.value));
+            }
+        }
         row.extend(surface.net_force.0);
         for place in &self.case.measure.curvature {
             let at = Vector::<f64, D>::from_3d(place.at);

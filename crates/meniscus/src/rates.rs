@@ -233,6 +233,7 @@ impl<const D: usize> Rates<D> {
             body_force,
             time,
         );
+        self.press_adhesive_walls(particles);
         let mut acceleration = std::mem::take(&mut particles.acceleration);
         self.push(particles, &mut acceleration);
         self.walls.bear(particles, &mut acceleration);
@@ -336,6 +337,24 @@ impl<const D: usize> Rates<D> {
                 );
             }
             Some(SurfaceTension::Pairwise(_)) | None => {}
+        }
+    }
+
+    /// Adds to the pressure of walls what balances the adhesion of the fluid near them.
+    fn press_adhesive_walls(&mut self, particles: &mut Particles<D>) {
+        let Some(pull) = &mut self.pull else {
+            return;
+        };
+        let rows = self.walls.bearing_adhesion(particles);
+        if rows.is_empty() {
+            return;
+        }
+        let builds = self.pairs.builds();
+        pull.charge(&mut self.pairs, particles, builds);
+        pull.press_walls(&mut self.pairs, particles, &rows);
+        for row in rows {
+            let equation = self.equations_of_state[usize::from(particles.fluid[row])];
+            particles.density[row] = equation.density(particles.pressure[row]);
         }
     }
 

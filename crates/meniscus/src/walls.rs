@@ -6,7 +6,7 @@ use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::equation_of_state::Tait;
 use crate::physics::wall::{
-    Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled,
+    Adhesion, Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled,
 };
 use crate::simulation::Simulation;
 use crate::term::Sweep;
@@ -218,6 +218,16 @@ impl<const D: usize> Walls<D> {
     /// What the walls do on the liquid by the last forces, W.
     pub(crate) fn power(&self) -> f64 {
         self.power
+    }
+
+    /// Rows of the walls whose pressure balances adhesion.
+    pub(crate) fn bearing_adhesion(&self, particles: &Particles<D>) -> Vec<usize> {
+        let bears = |row: &usize| {
+            let wall = self.wall_of(particles, *row).map(|wall| &self.walls[wall]);
+            wall.is_some_and(|wall| wall.bears_adhesion && wall.adhesion != Adhesion::None)
+        };
+        let rows = self.rows.iter().map(|&row| row as usize);
+        rows.filter(bears).collect()
     }
 
     /// Whether any of these rows feels, or exerts, a force.

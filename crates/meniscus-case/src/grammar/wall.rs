@@ -23,6 +23,7 @@ pub(crate) struct DraftWall {
     pub adhesion: Adhesion,
     /// Where the adhesion stands, if the file gives any.
     pub adhesion_span: Option<Range<usize>>,
+    pub bears_adhesion: bool,
 }
 
 /// All walls; none where the file does not say how many dimensions it has.
@@ -63,6 +64,10 @@ fn wall<const D: usize>(
             node.choice("motion", &motions::<D>())
         });
         let (adhesion, adhesion_span) = adhesion(fields);
+        let about = "Whether its pressure balances adhesion too.";
+        let bears_adhesion = fields.or("bears_adhesion", "'yes'", about, |node| {
+            node.name_of("answer", &[("yes", true), ("no", false)])
+        });
         DraftWall {
             name,
             fluid,
@@ -72,6 +77,7 @@ fn wall<const D: usize>(
             motion,
             adhesion,
             adhesion_span,
+            bears_adhesion,
         }
     })
 }

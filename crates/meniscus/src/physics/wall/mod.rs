@@ -58,6 +58,8 @@ pub struct Wall {
     pub motion: Motion,
     /// How it attracts the fluid, where surface tension is by pairwise forces.
     pub adhesion: Adhesion,
+    /// Whether its pressure balances adhesion too (Gonzalez, MSc thesis, eq. 4.7).
+    pub bears_adhesion: bool,
 }
 
 impl Wall {
@@ -68,6 +70,7 @@ impl Wall {
             slip: Slip::NoSlip,
             motion: Motion::Rest,
             adhesion: Adhesion::None,
+            bears_adhesion: true,
         }
     }
 }

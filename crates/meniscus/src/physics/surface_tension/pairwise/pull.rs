@@ -2,7 +2,7 @@
 
 use super::Pairwise;
 use super::estimate::Resolution;
-use super::term::{Charge, PairwiseTerm, Pulled, VolumeGradient};
+use super::term::{AdhesionHead, Charge, PairwiseTerm, Pulled, VolumeGradient};
 use crate::fluid::Fluid;
 use crate::particles::Particles;
 use crate::physics::surface_tension::gradient::Smoothed;
@@ -26,6 +26,7 @@ pub(crate) struct Pull<const D: usize> {
     weights: Vec<f64>,
     normals: Vec<Vector<f64, D>>,
     sums: Vec<Pulled<f64, D>>,
+    heads: Vec<(f64, f64)>,
 }
 
 impl<const D: usize> Pull<D> {
@@ -56,6 +57,7 @@ impl<const D: usize> Pull<D> {
             weights: Vec::new(),
             normals: Vec::new(),
             sums: Vec::new(),
+            heads: Vec::new(),
         }
     }
 
@@ -131,6 +133,37 @@ impl<const D: usize> Pull<D> {
             charges: &self.charges,
             normals: &self.normals,
         }
+    }
+
+    /// Adds to the pressure of the wall particles in `rows` what balances the adhesion of the fluid
+    /// near them, Gonzalez, eq. 4.7: sum_f rho_f a_f . x_wf W_wf / sum_f W_wf, where a_f, the
+    /// acceleration of the fluid by adhesion, belongs inside the sum. The print has it outside, and
+    /// as a force.
+    pub(crate) fn press_walls(
+        &mut self,
+        sweep: &mut impl Sweep<D>,
+        particles: &mut Particles<D>,
+        rows: &[usize],
+    ) {
+        let mut sums = std::mem::take(&mut self.sums);
+        sweep.sweep(&self.term(false), particles, |_| true, &mut sums);
+        for (sum, &mass) in sums.iter_mut().zip(&particles.mass) {
+            sum.acceleration = sum.acceleration * self.model.share(mass);
+        }
+        let term = AdhesionHead {
+            charges: &self.charges,
+            pulled: &sums,
+        };
+        let near_wall =
+            |rows: std::ops::Range<usize>| self.charges[rows].iter().any(|c| c.is_fluid == 0.0);
+        sweep.sweep(&term, particles, near_wall, &mut self.heads);
+        for &row in rows {
+            let (head, weight) = self.heads[row];
+            if weight > 0.0 {
+                particles.pressure[row] += head / weight;
+            }
+        }
+        self.sums = sums;
     }
 
     /// Adds the acceleration by all forces, m/s^2; the virial pressure goes to `surface`.

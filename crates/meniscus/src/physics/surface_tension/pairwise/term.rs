@@ -26,6 +26,44 @@ impl<const D: usize> PairTerm<D> for VolumeGradient {
     }
 }
 
+record! {
+    /// What a fluid's particle brings to the pressure of a wall.
+    pub struct Drawn<R, D> {
+        /// 1 for a fluid, 0 for a wall
+        is_fluid: R,
+        /// rho_f a_f, by adhesion, N/m^3
+        force: Vector<R, D>,
+    }
+}
+
+/// Sums to sum_f rho_f a_f . x_wf W_wf, and sum_f W_wf.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AdhesionHead<'a, const D: usize> {
+    pub charges: &'a [Charge],
+    /// Of adhesion alone.
+    pub pulled: &'a [Pulled<f64, D>],
+}
+
+impl<const D: usize> PairTerm<D> for AdhesionHead<'_, D> {
+    type Record<R: Real> = Drawn<R, D>;
+    type Sum<R: Real> = (R, R);
+    const OFTEN: bool = false;
+
+    fn record(&self, particles: &Particles<D>, i: usize) -> Drawn<f64, D> {
+        let is_fluid = self.charges[i].is_fluid;
+        Drawn {
+            is_fluid,
+            force: self.pulled[i].acceleration * (is_fluid * particles.density[i]),
+        }
+    }
+
+    #[inline(always)]
+    fn pair<R: Real>(&self, _: &Drawn<R, D>, j: &Drawn<R, D>, ij: &Pair<R, D>, sum: &mut (R, R)) {
+        sum.0 = sum.0 + j.force.dot(&ij.offset) * ij.w;
+        sum.1 = sum.1 + j.is_fluid * ij.w;
+    }
+}
+
 /// What a particle brings to the forces.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Charge {
