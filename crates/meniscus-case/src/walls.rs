@@ -47,7 +47,7 @@ pub(crate) fn lay_all(
                         slip: wall.slip,
                         motion: wall.motion.clone(),
                         adhesion: wall.adhesion,
-                        bears_adhesion: wall.bears_adhesion,
+                        bearing: wall.bearing,
                     },
                 ));
                 particles.extend(positions.into_iter().map(|position| Particle {

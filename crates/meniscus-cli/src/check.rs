@@ -4,10 +4,11 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use meniscus::Simulation;
+use meniscus::physics::surface_tension::pairwise::estimate::Resolution;
 use meniscus::rates::{Dimension, Space};
 use meniscus::scheme::TimeStep;
 use meniscus::time::step::StepLimits;
+use meniscus::{Simulation, SurfaceTension};
 use meniscus_case::{BYTES_PER_PARTICLE, Case};
 use meniscus_report::number::{significant, with_unit};
 
@@ -115,9 +116,41 @@ fn what(case: &Case, lines: &mut Vec<String>) {
         );
         lines.push(line("sound speed", &text));
     }
+    lines.extend(pairwise(case));
     let percent = significant(100.0 * numbers::expected_density_error(case), 2);
     let text = format!("about {percent} % expected, (largest speed / sound speed)^2");
     lines.push(line("density error", &text));
+}
+
+/// What pairwise forces make of evenly spread particles with a sharp surface.
+fn pairwise(case: &Case) -> Vec<String> {
+    let Some(SurfaceTension::Pairwise(model)) = case.scheme.surface_tension else {
+        return Vec::new();
+    };
+    let resolution = Resolution {
+        kernel: case.scheme.kernel,
+        smoothing_length: case.scheme.smoothing_length,
+        spacing: case.spacing,
+        dimension: case.dimension,
+    };
+    let mut lines = Vec::new();
+    for fluid in &case.fluids {
+        let sigma = with_unit(model.surface_tension(fluid, &resolution), "N/m", 4);
+        let text = format!("{sigma} in {}, of a sharp surface", fluid.name);
+        lines.push(line("pairwise", &text));
+        let pressure = with_unit(model.cohesion_pressure(fluid, &resolution), "Pa", 4);
+        let text = format!("{pressure} in {}, in bulk", fluid.name);
+        lines.push(line("cohesion", &text));
+    }
+    for (wall, scheme) in case.walls.iter().zip(&case.scheme.walls) {
+        let fluid = &case.fluids[wall.fluid];
+        let text = match model.contact_angle(scheme.adhesion, fluid, &resolution) {
+            Some(angle) => format!("{:.1} degrees at {}", angle.to_degrees(), wall.name),
+            None => format!("complete wetting at {}", wall.name),
+        };
+        lines.push(line("contact angle", &text));
+    }
+    lines
 }
 
 /// The limits of the time step, which governs, and the step itself, s.
@@ -155,6 +188,7 @@ fn expected_limits(case: &Case, at_start: StepLimits) -> StepLimits {
     let expected = StepLimits::new(&case.fluids, h, support, case.speeds.largest(), 0.0);
     StepLimits {
         force: at_start.force,
+        pairwise: at_start.pairwise,
         ..expected
     }
 }

@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 
+use crate::regression::line;
 use crate::reproduce::Number;
 
 /// Numbers of one quantity at several resolutions.
@@ -73,13 +74,7 @@ fn order(resolution: &[f64], deviations: &[f64]) -> Option<f64> {
         .zip(deviations)
         .map(|(r, d)| (r.ln(), d.abs().ln()))
         .collect();
-    let count = points.len() as f64;
-    let mean = |pick: fn(&(f64, f64)) -> f64| points.iter().map(pick).sum::<f64>() / count;
-    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
-    let covariance: f64 = points.iter().map(|p| (p.0 - x) * (p.1 - y)).sum();
-    let variance: f64 = points.iter().map(|p| (p.0 - x).powi(2)).sum();
-    let order = -covariance / variance;
-    order.is_finite().then_some(order)
+    line(&points).map(|(slope, _)| -slope)
 }
 
 #[cfg(test)]

@@ -27,6 +27,7 @@ mod numbers;
 mod page;
 mod progress;
 mod record;
+mod regression;
 mod reproduce;
 mod runner;
 mod sample;

@@ -19,6 +19,7 @@ use crate::failure::{Failure, NOT_REPRODUCED};
 use crate::findings::Finding;
 use crate::progress::duration;
 use crate::record::Status;
+use crate::regression::Regression;
 use crate::terminal::{Voice, answer, complain};
 use crate::verdict::{Row, Verdict, rows_as_table};
 use crate::{interrupt, runner};
@@ -35,6 +36,9 @@ struct Reproduction {
     /// How the deviation from theory falls with resolution.
     #[serde(default)]
     convergence: Vec<Convergence>,
+    /// Lines through numbers of drops of several sizes.
+    #[serde(default)]
+    regression: Vec<Regression>,
 }
 
 /// One number of the paper.
@@ -108,6 +112,16 @@ pub fn reproduce(
     for group in &plan.convergence {
         match group.judge(&values) {
             Ok((number, order)) => rows.push(Row::judge(&number, order.map(|p| (p, None)))),
+            Err(problem) => problems.push(problem),
+        }
+    }
+    for group in &plan.regression {
+        let finding = |case: &str, id: &str| {
+            let findings = outcomes.get(case)?.as_ref().ok()?;
+            Some(findings.iter().find(|found| found.id == id)?.computed)
+        };
+        match group.judge(&values, finding) {
+            Ok((number, value)) => rows.push(Row::judge(&number, value.map(|y| (y, None)))),
             Err(problem) => problems.push(problem),
         }
     }

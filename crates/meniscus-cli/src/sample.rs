@@ -104,6 +104,10 @@ impl<'a, const D: usize> Sampler<'a, D> {
                 }
             }
             columns.push(Column::new(&self.of_body(body, "inner pressure"), "Pa"));
+            if self.is_pairwise() {
+                let name = self.of_body(body, "inner virial pressure");
+                columns.push(Column::new(&name, "Pa"));
+            }
         }
         for name in &self.sensor_names {
             columns.push(Column::new(&format!("pressure at {name}"), "Pa"));
@@ -160,6 +164,11 @@ impl<'a, const D: usize> Sampler<'a, D> {
             liquid = all.of_bodies(|body| !simulation.is_wall(body));
             &liquid
         };
+        // Pairwise forces alone have one.
+        let virial = &simulation.surface().virial_pressure;
+        let is_liquid = |&i: &usize| !simulation.is_wall(all.body[i]);
+        let rows = (0..virial.len()).filter(is_liquid);
+        let virial: Vec<f64> = rows.map(|i| virial[i]).collect();
         let centre = centre_of_mass(&p.position, &p.mass).unwrap_or(Vector([f64::NAN; D]));
         let mut row = vec![
             simulation.time(),
@@ -189,9 +198,17 @@ impl<'a, const D: usize> Sampler<'a, D> {
             row.extend(semi_axes_along_coordinates(&rows.position, &rows.mass).unwrap_or(missing));
             row.extend(semi_axes_by_tips(&rows.position, self.case.spacing).unwrap_or(missing));
             let volume = self.case.bodies[body].volume;
-            let inner =
-                StaticSurfaceTension::measure(&rows.position, &rows.mass, &rows.pressure, volume);
-            row.push(inner.map_or(f64::NAN, |inner| inner.inner_pressure));
+            let inner = |field: &[f64]| {
+                let inner =
+                    StaticSurfaceTension::measure(&rows.position, &rows.mass, field, volume);
+                inner.map_or(f64::NAN, |inner| inner.inner_pressure)
+            };
+            row.push(inner(&rows.pressure));
+            if self.is_pairwise() {
+                let of_body = (0..p.len()).filter(|&i| usize::from(p.body[i]) == body);
+                let virial: Vec<f64> = of_body.filter_map(|i| virial.get(i).copied()).collect();
+                row.push(inner(&virial));
+            }
         }
         for sensor in &self.sensors {
             let reading = sensor.read(&p.position, &p.mass, &p.density, &p.pressure);
@@ -199,9 +216,6 @@ impl<'a, const D: usize> Sampler<'a, D> {
         }
         let surface = simulation.surface();
         if self.is_pairwise() {
-            let is_liquid = |&i: &usize| !simulation.is_wall(all.body[i]);
-            let virial = (0..surface.virial_pressure.len()).filter(is_liquid);
-            let virial: Vec<f64> = virial.map(|i| surface.virial_pressure[i]).collect();
             for sensor in &self.sensors {
                 let reading = sensor.read(&p.position, &p.mass, &p.density, &virial);
                 row.push(reading.map_or(f64::NAN, |reading| reading.value));

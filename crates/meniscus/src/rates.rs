@@ -22,7 +22,7 @@ use crate::physics::velocity_smoothing::VelocitySmoothing;
 use crate::physics::viscosity::ViscosityForm;
 use crate::physics::viscous_stress::ViscousStress;
 use crate::physics::wall::Slip;
-use crate::scheme::{DensityForm, Scheme};
+use crate::scheme::{Bearing, DensityForm, Scheme};
 use crate::term::{PairTerm, Sweep};
 use crate::vector::Vector;
 use crate::walls::Walls;
@@ -233,7 +233,7 @@ impl<const D: usize> Rates<D> {
             body_force,
             time,
         );
-        self.press_adhesive_walls(particles);
+        self.press_walls(particles);
         let mut acceleration = std::mem::take(&mut particles.acceleration);
         self.push(particles, &mut acceleration);
         self.walls.bear(particles, &mut acceleration);
@@ -340,21 +340,24 @@ impl<const D: usize> Rates<D> {
         }
     }
 
-    /// Adds to the pressure of walls what balances the adhesion of the fluid near them.
-    fn press_adhesive_walls(&mut self, particles: &mut Particles<D>) {
+    /// Adds to the pressure of walls what balances the forces of pairs on the fluid near them.
+    fn press_walls(&mut self, particles: &mut Particles<D>) {
         let Some(pull) = &mut self.pull else {
             return;
         };
-        let rows = self.walls.bearing_adhesion(particles);
-        if rows.is_empty() {
-            return;
-        }
         let builds = self.pairs.builds();
-        pull.charge(&mut self.pairs, particles, builds);
-        pull.press_walls(&mut self.pairs, particles, &rows);
-        for row in rows {
-            let equation = self.equations_of_state[usize::from(particles.fluid[row])];
-            particles.density[row] = equation.density(particles.pressure[row]);
+        for bearing in [Bearing::Adhesion, Bearing::Pairs] {
+            let rows = self.walls.rows_that_bear(particles, bearing);
+            if rows.is_empty() {
+                continue;
+            }
+            pull.charge(&mut self.pairs, particles, builds);
+            let cohesion = bearing == Bearing::Pairs;
+            pull.press_walls(&mut self.pairs, particles, cohesion, &rows);
+            for row in rows {
+                let equation = self.equations_of_state[usize::from(particles.fluid[row])];
+                particles.density[row] = equation.density(particles.pressure[row]);
+            }
         }
     }
 

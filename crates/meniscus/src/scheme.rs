@@ -8,7 +8,7 @@ pub use crate::physics::density_diffusion::{DensityDiffusion, DiffusionForm};
 pub use crate::physics::momentum::PressureForm;
 pub use crate::physics::surface_tension::SurfaceTension;
 pub use crate::physics::viscosity::ViscosityForm;
-pub use crate::physics::wall::{Adhesion, Motion, Slip, Wall};
+pub use crate::physics::wall::{Adhesion, Bearing, Motion, Slip, Wall};
 
 /// How density is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::equation_of_state::Tait;
 use crate::physics::wall::{
-    Adhesion, Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled,
+    Bearing, Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled,
 };
 use crate::simulation::Simulation;
 use crate::term::Sweep;
@@ -220,11 +220,11 @@ impl<const D: usize> Walls<D> {
         self.power
     }
 
-    /// Rows of the walls whose pressure balances adhesion.
-    pub(crate) fn bearing_adhesion(&self, particles: &Particles<D>) -> Vec<usize> {
+    /// Rows of the walls whose pressure balances these forces of pairs.
+    pub(crate) fn rows_that_bear(&self, particles: &Particles<D>, what: Bearing) -> Vec<usize> {
         let bears = |row: &usize| {
             let wall = self.wall_of(particles, *row).map(|wall| &self.walls[wall]);
-            wall.is_some_and(|wall| wall.bears_adhesion && wall.adhesion != Adhesion::None)
+            wall.is_some_and(|wall| wall.bearing == what)
         };
         let rows = self.rows.iter().map(|&row| row as usize);
         rows.filter(bears).collect()

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::ops::Range;
 
-use meniscus::scheme::{Adhesion, Motion, Slip};
+use meniscus::scheme::{Adhesion, Bearing, Motion, Slip};
 
 use super::body::{fluid_of, sections};
 use super::fluid::DraftFluid;
@@ -23,7 +23,7 @@ pub(crate) struct DraftWall {
     pub adhesion: Adhesion,
     /// Where the adhesion stands, if the file gives any.
     pub adhesion_span: Option<Range<usize>>,
-    pub bears_adhesion: bool,
+    pub bearing: Bearing,
 }
 
 /// All walls; none where the file does not say how many dimensions it has.
@@ -64,9 +64,14 @@ fn wall<const D: usize>(
             node.choice("motion", &motions::<D>())
         });
         let (adhesion, adhesion_span) = adhesion(fields);
-        let about = "Whether its pressure balances adhesion too.";
-        let bears_adhesion = fields.or("bears_adhesion", "'yes'", about, |node| {
-            node.name_of("answer", &[("yes", true), ("no", false)])
+        let about = "Which forces of pairs its pressure balances.";
+        let bearing = fields.or("bears", "'pairs'", about, |node| {
+            let names = [
+                ("pairs", Bearing::Pairs),
+                ("adhesion", Bearing::Adhesion),
+                ("nothing", Bearing::Nothing),
+            ];
+            node.name_of("bearing", &names)
         });
         DraftWall {
             name,
@@ -77,7 +82,7 @@ fn wall<const D: usize>(
             motion,
             adhesion,
             adhesion_span,
-            bears_adhesion,
+            bearing,
         }
     })
 }

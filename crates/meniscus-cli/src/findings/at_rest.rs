@@ -45,6 +45,14 @@ pub(super) fn measure(case: &Case, series: &Series, findings: &mut Findings) {
         None => "inner pressure (r < R/2)",
     };
     findings.add("inner-pressure", name, "Pa", laplace, pressure);
+    if let Some(virial) = mean(series, "inner virial pressure", asked) {
+        let total = Estimate {
+            value: pressure.value + virial.value,
+            half_width: pressure.half_width.hypot(virial.half_width),
+        };
+        let name = "the same with the virial of pairs";
+        findings.add("inner-total-pressure", name, "Pa", laplace, total);
+    }
     let factor = theory::surface_tension_from_pressure(1.0, radius, case.dimension);
     let sigma = Estimate {
         value: pressure.value * factor,

@@ -1,6 +1,7 @@
 //! What surface tension by forces between pairs promises.
 //!
 //! - `momentum`: what the forces on a disordered drop, and on a wall, add up to
+//! - `plate`: a drop stays at a wall
 //! - `work`: cohesion pressure, surface tension and adhesion, against what forces do
 //! - `stiff`: two particles swing as the potential says, in steps that are short enough
 
@@ -8,6 +9,7 @@
 mod common;
 
 mod momentum;
+mod plate;
 mod stiff;
 mod work;
 

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use meniscus::physics::surface_tension::pairwise::Pairwise;
 use meniscus::physics::surface_tension::pairwise::gaussian_pair::GaussianPair;
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::{Adhesion, SurfaceTension, Wall};
+use meniscus::scheme::{Adhesion, Bearing, SurfaceTension, Wall};
 use meniscus::{Simulation, Vector};
 
 use crate::common::{fluid, periodic_box, periodic_lattice};
@@ -79,6 +79,8 @@ where
         if let Some(adhesion) = adhesion {
             setup.scheme.walls = vec![Wall {
                 adhesion,
+                // Attraction alone is asked for.
+                bearing: Bearing::Nothing,
                 ..Wall::new(1)
             }];
         }

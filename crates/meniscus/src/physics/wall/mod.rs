@@ -36,7 +36,7 @@ pub use extrapolation::{Extrapolation, Neighbourhood};
 pub use motion::{Motion, Moved};
 pub use walled::Walled;
 
-pub use super::surface_tension::pairwise::strength::Adhesion;
+pub use super::surface_tension::pairwise::strength::{Adhesion, Bearing};
 
 /// What a wall does to the flow along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,8 +58,8 @@ pub struct Wall {
     pub motion: Motion,
     /// How it attracts the fluid, where surface tension is by pairwise forces.
     pub adhesion: Adhesion,
-    /// Whether its pressure balances adhesion too (Gonzalez, MSc thesis, eq. 4.7).
-    pub bears_adhesion: bool,
+    /// Which of these forces its pressure balances.
+    pub bearing: Bearing,
 }
 
 impl Wall {
@@ -70,7 +70,7 @@ impl Wall {
             slip: Slip::NoSlip,
             motion: Motion::Rest,
             adhesion: Adhesion::None,
-            bears_adhesion: true,
+            bearing: Bearing::default(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Pairwise;
 use super::estimate::Resolution;
-use super::term::{AdhesionHead, Charge, PairwiseTerm, Pulled, VolumeGradient};
+use super::term::{Charge, Head, PairwiseTerm, Pulled, VolumeGradient};
 use crate::fluid::Fluid;
 use crate::particles::Particles;
 use crate::physics::surface_tension::gradient::Smoothed;
@@ -123,11 +123,11 @@ impl<const D: usize> Pull<D> {
         self.normals.iter_mut().for_each(|n| *n = *n * support);
     }
 
-    fn term(&self, cohesion: bool) -> PairwiseTerm<'_, D> {
+    fn term(&self) -> PairwiseTerm<'_, D> {
         PairwiseTerm {
             model: self.model,
             support: self.resolution.support(),
-            cohesion,
+            cohesion: true,
             deficiency: self.model.akinci().is_some(),
             curvature: self.model.curvature_of_one(&self.resolution),
             charges: &self.charges,
@@ -136,21 +136,29 @@ impl<const D: usize> Pull<D> {
     }
 
     /// Adds to the pressure of the wall particles in `rows` what balances the adhesion of the fluid
-    /// near them, Gonzalez, eq. 4.7: sum_f rho_f a_f . x_wf W_wf / sum_f W_wf, where a_f, the
-    /// acceleration of the fluid by adhesion, belongs inside the sum. The print has it outside, and
-    /// as a force.
+    /// near them, after Gonzalez, eq. 4.7, and its `cohesion` too if asked for:
+    /// sum_f rho_f a_f . x_wf W_wf / sum_f W_wf, where a_f, the fluid's acceleration by these
+    /// forces, belongs inside the sum. The print has it outside, and as a force. No pressure is
+    /// below zero.
     pub(crate) fn press_walls(
         &mut self,
         sweep: &mut impl Sweep<D>,
         particles: &mut Particles<D>,
+        cohesion: bool,
         rows: &[usize],
     ) {
         let mut sums = std::mem::take(&mut self.sums);
-        sweep.sweep(&self.term(false), particles, |_| true, &mut sums);
+        let term = PairwiseTerm {
+            cohesion,
+            curvature: (0.0, 0.0),
+            normals: &[],
+            ..self.term()
+        };
+        sweep.sweep(&term, particles, |_| true, &mut sums);
         for (sum, &mass) in sums.iter_mut().zip(&particles.mass) {
             sum.acceleration = sum.acceleration * self.model.share(mass);
         }
-        let term = AdhesionHead {
+        let term = Head {
             charges: &self.charges,
             pulled: &sums,
         };
@@ -160,7 +168,8 @@ impl<const D: usize> Pull<D> {
         for &row in rows {
             let (head, weight) = self.heads[row];
             if weight > 0.0 {
-                particles.pressure[row] += head / weight;
+                let pressure = &mut particles.pressure[row];
+                *pressure = (*pressure + head / weight).max(0.0);
             }
         }
         self.sums = sums;
@@ -175,7 +184,7 @@ impl<const D: usize> Pull<D> {
         acceleration: &mut [Vector<f64, D>],
     ) {
         let mut sums = std::mem::take(&mut self.sums);
-        sweep.sweep(&self.term(true), particles, |_| true, &mut sums);
+        sweep.sweep(&self.term(), particles, |_| true, &mut sums);
         surface.force.clear();
         surface.virial_pressure.clear();
         for (row, sum) in sums.iter().enumerate() {

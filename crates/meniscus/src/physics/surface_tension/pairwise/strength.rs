@@ -21,6 +21,19 @@ pub enum Adhesion {
     ContactAngle(f64),
 }
 
+/// Which forces of pairs the pressure of a wall balances, as it does the body force.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Bearing {
+    /// None: the wall has the pressure that the fluid has in bulk, where cohesion has to be borne,
+    /// while cohesion draws the fluid from it.
+    Nothing,
+    /// Adhesion (Gonzalez, eq. 4.7).
+    Adhesion,
+    /// Cohesion and adhesion.
+    #[default]
+    Pairs,
+}
+
 impl Pairwise {
     /// G of a fluid: that of its surface tension, or of gamma. m^4/(kg s^2) times 1/m^D.
     pub fn strength(&self, fluid: &Fluid, resolution: &Resolution) -> f64 {

@@ -31,20 +31,20 @@ record! {
     pub struct Drawn<R, D> {
         /// 1 for a fluid, 0 for a wall
         is_fluid: R,
-        /// rho_f a_f, by adhesion, N/m^3
+        /// rho_f a_f, N/m^3
         force: Vector<R, D>,
     }
 }
 
 /// Sums to sum_f rho_f a_f . x_wf W_wf, and sum_f W_wf.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct AdhesionHead<'a, const D: usize> {
+pub(super) struct Head<'a, const D: usize> {
     pub charges: &'a [Charge],
-    /// Of adhesion alone.
+    /// Of the forces that the wall is to balance.
     pub pulled: &'a [Pulled<f64, D>],
 }
 
-impl<const D: usize> PairTerm<D> for AdhesionHead<'_, D> {
+impl<const D: usize> PairTerm<D> for Head<'_, D> {
     type Record<R: Real> = Drawn<R, D>;
     type Sum<R: Real> = (R, R);
     const OFTEN: bool = false;
