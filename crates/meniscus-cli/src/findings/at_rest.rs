@@ -45,7 +45,11 @@ pub(super) fn measure(case: &Case, series: &Series, findings: &mut Findings) {
         None => "inner pressure (r < R/2)",
     };
     findings.add("inner-pressure", name, "Pa", laplace, pressure);
-    if let Some(virial) = mean(series, "inner virial pressure", asked) {
+    if let Some(virial) = mean(
+        series,
+        &of_first_body(case, "inner virial pressure"),
+        &asked.window,
+    ) {
         let total = Estimate {
             value: pressure.value + virial.value,
             half_width: pressure.half_width.hypot(virial.half_width),
