@@ -68,13 +68,26 @@ pub(super) fn breakup(case: &Case, series: &Series, findings: &mut Findings) {
     add("span", "radius across its way", "m", at("span"));
     let name = "rim ahead of the centre, over that radius (below 0: opens backward)";
     add("opening", name, "", at("opening"));
+    let ratio = at("centre thickness") / at("rim thickness");
     let name = "thickness in the middle over that of the rim";
-    add(
-        "thickness-ratio",
-        name,
-        "",
-        at("centre thickness") / at("rim thickness"),
-    );
+    add("thickness-ratio", name, "", ratio);
+    let name = "mode: 1 bag open forward, -1 bag open backward, 2 sheared rim, 0 neither";
+    add("mode", name, "", mode(at("opening"), ratio));
+}
+
+/// How a drop breaks, by two numbers of its shape. A bag is bent by more than a tenth of its radius,
+/// and a third thinner in the middle than at its rim; a rim that is sheared off is bent as much,
+/// before a middle that is thicker than it.
+fn mode(opening: f64, thickness_ratio: f64) -> f64 {
+    if opening.abs() < 0.1 {
+        0.0
+    } else if thickness_ratio < 2.0 / 3.0 {
+        opening.signum()
+    } else if thickness_ratio > 1.0 {
+        2.0
+    } else {
+        0.0
+    }
 }
 
 /// By how much the first body has mixed with others.
