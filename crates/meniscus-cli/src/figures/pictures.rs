@@ -98,7 +98,11 @@ pub fn movie(case: &Case, reader: &FrameReader) -> Result<Option<Movie>, Failure
 /// they would hide all.
 fn from_outside(case: &Case, frames: &[Frame], label: &str, unit: &str) -> ParticlePictures {
     if case.dimension == 2 {
-        return pictures(case, frames, label, unit);
+        let seen = pictures(case, frames, label, unit);
+        return match label {
+            "Speed" => seen.arrows(arrows(frames)),
+            _ => seen,
+        };
     }
     let has_surface = |fluid: f64| {
         let fluid = case.fluids.get(fluid as usize);
@@ -154,6 +158,25 @@ fn pictures(case: &Case, frames: &[Frame], label: &str, unit: &str) -> ParticleP
     };
     let empty = ParticlePictures::new(label, unit);
     (frames.iter().map(snapshot)).fold(empty, ParticlePictures::with)
+}
+
+/// Where the liquid of each frame goes; walls do not show it.
+fn arrows(frames: &[Frame]) -> Vec<Vec<[f64; 3]>> {
+    let of = |frame: &Frame| {
+        let is_wall = walls(frame);
+        let velocity = frame.fields.iter().find(|field| field.name == "velocity");
+        let values = velocity.map_or(&[][..], |field| &field.values);
+        (values.chunks_exact(3).enumerate())
+            .map(|(i, v)| {
+                if is_wall(i) {
+                    [0.0; 3]
+                } else {
+                    [v[0], v[1], v[2]]
+                }
+            })
+            .collect()
+    };
+    frames.iter().map(of).collect()
 }
 
 /// In three dimensions along y, z upwards.

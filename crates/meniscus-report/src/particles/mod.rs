@@ -5,6 +5,7 @@
 //! particles are seen, [`panels`] how the panels are laid out, [`legend`]
 //! draws the scale bar and the colour bar.
 
+mod arrows;
 mod legend;
 mod panels;
 mod view;
@@ -47,6 +48,8 @@ pub struct ParticlePictures {
     limits: Option<[f64; 2]>,
     names: Vec<String>,
     snapshots: Vec<Snapshot>,
+    /// Of each panel.
+    arrows: Vec<Vec<[f64; 3]>>,
 }
 
 impl ParticlePictures {
@@ -59,6 +62,7 @@ impl ParticlePictures {
             limits: None,
             names: Vec::new(),
             snapshots: Vec::new(),
+            arrows: Vec::new(),
         }
     }
 
@@ -83,6 +87,12 @@ impl ParticlePictures {
             names: names.iter().map(|name| (*name).to_owned()).collect(),
             ..self
         }
+    }
+
+    /// The same with arrows: for each panel, where its particles go, in any unit. Few enough
+    /// are drawn to tell them apart, in one scale for all panels.
+    pub fn arrows(self, arrows: Vec<Vec<[f64; 3]>>) -> Self {
+        ParticlePictures { arrows, ..self }
     }
 
     /// The same with one more panel.
@@ -111,7 +121,11 @@ impl ParticlePictures {
     }
 
     fn seen(&self) -> Vec<Vec<Seen>> {
-        self.snapshots.iter().map(|s| self.view.see(s)).collect()
+        let arrows = |i: usize| self.arrows.get(i).map_or(&[][..], Vec::as_slice);
+        let snapshots = self.snapshots.iter().enumerate();
+        snapshots
+            .map(|(i, s)| self.view.see(s, arrows(i)))
+            .collect()
     }
 
     /// The times as titles, in one unit and with the digits that tell them apart.
@@ -143,6 +157,8 @@ struct Style<'a> {
     colours: ColourScale,
     panels: Panels,
     edge: f64,
+    /// Pixels to the unit of the arrows.
+    arrow: f64,
 }
 
 impl<'a> Style<'a> {
@@ -159,6 +175,7 @@ impl<'a> Style<'a> {
             colours: ColourScale::new(pictures.limits, all().map(|p| p.value)),
             panels: Panels::new(seen, count),
             edge: if far > near { RIM } else { 0.0 },
+            arrow: arrows::scale(all()),
         }
     }
 
@@ -189,6 +206,9 @@ impl<'a> Style<'a> {
                 discs: particles.iter().map(disc).collect(),
                 edge: self.edge,
             });
+            if self.arrow > 0.0 {
+                arrows::draw(&mut marks, panels, i, particles, self.arrow);
+            }
         }
         let bottom = panels.bottom();
         legend::scale_bar(&mut marks, panels, bottom);

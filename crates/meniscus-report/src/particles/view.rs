@@ -36,11 +36,13 @@ pub(super) struct Seen {
     pub radius: f64,
     pub depth: f64,
     pub value: f64,
+    /// To the right and up, in its own unit.
+    pub arrow: Option<[f64; 2]>,
 }
 
 impl View {
     /// The particles seen, from the farthest to the nearest.
-    pub(super) fn see(&self, snapshot: &Snapshot) -> Vec<Seen> {
+    pub(super) fn see(&self, snapshot: &Snapshot, arrows: &[[f64; 3]]) -> Vec<Seen> {
         let direction = match *self {
             View::Whole(direction) | View::Slice { direction, .. } => direction,
         };
@@ -51,16 +53,18 @@ impl View {
             .filter(|(_, p)| p.iter().all(|x| x.abs() < 1e100))
             .map(|(i, &[x, y, z])| {
                 // Depth grows towards the eye, in right-handed axes.
-                let (at, depth) = match direction {
+                let turned = |[x, y, z]: [f64; 3]| match direction {
                     Direction::X => ([y, z], x),
                     Direction::Y => ([x, z], -y),
                     Direction::Z => ([x, y], z),
                 };
+                let (at, depth) = turned([x, y, z]);
                 Seen {
                     at,
                     depth,
                     radius: 0.5 * snapshot.diameter.abs(),
                     value: snapshot.values.get(i).copied().unwrap_or(f64::NAN),
+                    arrow: arrows.get(i).map(|&arrow| turned(arrow).0),
                 }
             })
             .collect();
