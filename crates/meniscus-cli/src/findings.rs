@@ -6,15 +6,15 @@ mod contact_angle;
 mod crown;
 mod extremes;
 mod merging;
+mod oscillation;
 mod roundness;
 mod tank;
 
-use meniscus::measure::{DampedCosine, Estimate, OscillationSurfaceTension};
+use meniscus::measure::{DampedCosine, Estimate};
 use meniscus_case::{Case, Window};
 use meniscus_output::Series;
 use serde::{Deserialize, Serialize};
 
-use crate::expected;
 use crate::sample::arc::DEVIATION;
 
 /// A number that was measured.
@@ -48,7 +48,7 @@ pub struct Findings {
 /// Measures the series of a run.
 pub fn measure(case: &Case, series: &Series) -> Findings {
     let mut findings = Findings::default();
-    oscillation(case, series, &mut findings);
+    oscillation::measure(case, series, &mut findings);
     extremes::measure(case, series, &mut findings);
     merging::waist(case, series, &mut findings);
     merging::breakup(case, series, &mut findings);
@@ -137,68 +137,6 @@ fn of_first_body(case: &Case, quantity: &str) -> String {
     match &case.bodies[..] {
         [body, _, ..] => format!("{} {quantity}", body.name),
         _ => quantity.to_owned(),
-    }
-}
-
-fn oscillation(case: &Case, series: &Series, findings: &mut Findings) {
-    let (Some(asked), Some(body)) = (&case.measure.oscillation, case.bodies.first()) else {
-        return;
-    };
-    let fluid = &case.fluids[body.fluid];
-    let given = Some(("given", fluid.surface_tension));
-    let theory = expected::oscillation(case);
-    let by_moments = [
-        ("semi-axis x", "", "axis x (moments)"),
-        ("semi-axis y", "-y", "axis y (moments)"),
-    ];
-    let by_tips = [
-        ("tip semi-axis x", "-tip-x", "axis x (tips)"),
-        ("tip semi-axis y", "-tip-y", "axis y (tips)"),
-    ];
-    // Second moments show mode 2 alone.
-    let columns: Vec<_> = match asked.mode {
-        2 => by_moments.into_iter().chain(by_tips).collect(),
-        _ => by_tips.to_vec(),
-    };
-    let main = columns[0].1;
-    for (column, suffix, label) in columns {
-        let column = of_first_body(case, column);
-        let Some((time, values)) = window(series, &column, asked.from, asked.to) else {
-            findings.complaints.push(format!(
-                "no oscillation was fitted: the series has no column \"{column}\" (a periodic box)"
-            ));
-            return;
-        };
-        let fit = match DampedCosine::fit(&time, &values) {
-            Ok(fit) => fit,
-            Err(error) => {
-                findings
-                    .complaints
-                    .push(format!("no oscillation was fitted to {label}: {error}"));
-                // What the moments do not show, the tips do not show either.
-                if suffix == main {
-                    return;
-                }
-                continue;
-            }
-        };
-        let (density, dimension) = (fluid.density, case.dimension);
-        let sigma =
-            OscillationSurfaceTension::measure(&fit, asked.mode, density, body.volume, dimension);
-        let id = format!("sigma-oscillation{suffix}");
-        let name = format!("surface tension by {label}");
-        findings.add(&id, &name, "N/m", given, sigma.plain);
-        if suffix == main {
-            let id = "sigma-oscillation-corrected";
-            let name = "the same, corrected for damping";
-            findings.add(id, name, "N/m", given, sigma.damping_corrected);
-            let period = theory.as_ref().map(|t| ("Rayleigh, inviscid", t.period));
-            findings.add("period", "period", "s", period, fit.period());
-            let viscous = theory.as_ref().and_then(|t| t.viscous);
-            let rate = viscous.map(|v| ("linear viscous theory", v.damping_rate));
-            findings.add("damping-rate", "damping rate", "/s", rate, fit.damping_rate);
-            findings.fit = Some(fit);
-        }
     }
 }
 
