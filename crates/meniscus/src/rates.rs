@@ -72,6 +72,8 @@ pub(crate) struct Rates<const D: usize> {
     pub(crate) surface: Surface<D>,
     /// Forces of pairs, where surface tension is of them.
     pull: Option<Pull<D>>,
+    /// Rows of walls whose pressure balances these.
+    bearing: Vec<usize>,
     viscous_stress: ViscousStress<D>,
     diffusing: Diffusing<D>,
     /// For the particles at the surface alone.
@@ -120,6 +122,7 @@ impl<const D: usize> Rates<D> {
         Self {
             at_surface,
             pull,
+            bearing: Vec::new(),
             viscous_stress: ViscousStress::default(),
             diffusing: Diffusing::default(),
             equations_of_state: fluids.iter().map(Tait::new).collect(),
@@ -346,19 +349,21 @@ impl<const D: usize> Rates<D> {
             return;
         };
         let builds = self.pairs.builds();
+        let mut rows = std::mem::take(&mut self.bearing);
         for bearing in [Bearing::Adhesion, Bearing::Pairs] {
-            let rows = self.walls.rows_that_bear(particles, bearing);
+            self.walls.find_bearing(particles, bearing, &mut rows);
             if rows.is_empty() {
                 continue;
             }
             pull.charge(&mut self.pairs, particles, builds);
             let cohesion = bearing == Bearing::Pairs;
             pull.press_walls(&mut self.pairs, particles, cohesion, &rows);
-            for row in rows {
+            for &row in &rows {
                 let equation = self.equations_of_state[usize::from(particles.fluid[row])];
                 particles.density[row] = equation.density(particles.pressure[row]);
             }
         }
+        self.bearing = rows;
     }
 
     /// Adds the acceleration by forces of pairs, walls among them, m/s^2.

@@ -220,14 +220,20 @@ impl<const D: usize> Walls<D> {
         self.power
     }
 
-    /// Rows of the walls whose pressure balances these forces of pairs.
-    pub(crate) fn rows_that_bear(&self, particles: &Particles<D>, what: Bearing) -> Vec<usize> {
+    /// Finds the rows of the walls whose pressure balances these forces of pairs.
+    pub(crate) fn find_bearing(
+        &self,
+        particles: &Particles<D>,
+        what: Bearing,
+        found: &mut Vec<usize>,
+    ) {
         let bears = |row: &usize| {
             let wall = self.wall_of(particles, *row).map(|wall| &self.walls[wall]);
             wall.is_some_and(|wall| wall.bearing == what)
         };
         let rows = self.rows.iter().map(|&row| row as usize);
-        rows.filter(bears).collect()
+        found.clear();
+        found.extend(rows.filter(bears));
     }
 
     /// Whether any of these rows feels, or exerts, a force.

@@ -5,8 +5,12 @@ mod common;
 
 use common::{fluid, free_drop, periodic_box};
 use meniscus::pairs::Instructions;
+use meniscus::physics::surface_tension::pairwise::Pairwise;
+use meniscus::physics::surface_tension::pairwise::akinci::{Akinci, Curvature};
+use meniscus::physics::wall::layout::Layers;
 use meniscus::rates::{Dimension, Space};
-use meniscus::{Precision, Setup, Simulation, Snapshot, Vector};
+use meniscus::scheme::{Adhesion, SurfaceTension, Wall};
+use meniscus::{Particle, Precision, Setup, Simulation, Snapshot, Vector};
 
 fn march<const D: usize>(simulation: &mut Simulation<D>, steps: u64) {
     for _ in 0..steps {
@@ -88,6 +92,33 @@ fn a_resume_does_not_change_a_bit() {
     same_after_resume(free_drop::<2>(0.12, 0.1));
     let mut setup = periodic_box(16, |_| Vector::ZERO, fluid(0.01, 0.0));
     swirl(&mut setup);
+    same_after_resume(setup);
+}
+
+/// A drop of pairwise forces upon a plate that attracts it.
+#[test]
+fn pairwise_forces_keep_the_promise_too() {
+    let mut setup = free_drop::<2>(0.12, 0.1);
+    setup.scheme.surface_tension = Some(SurfaceTension::Pairwise(Pairwise::Akinci(Akinci {
+        curvature: Curvature::Consistent,
+        ..Akinci::default()
+    })));
+    let plate = Layers::new(0.12, 0.48, 1000).plane(Vector([0.0, -1.1]), Vector([0.0, 1.0]), 3.0);
+    let plate = plate.expect("it fits");
+    setup
+        .particles
+        .extend(plate.iter().map(|&position| Particle {
+            position,
+            velocity: Vector::ZERO,
+            mass: 0.12 * 0.12,
+            fluid: 0,
+            body: 1,
+        }));
+    setup.scheme.walls = vec![Wall {
+        adhesion: Adhesion::Coefficient(20.0),
+        ..Wall::new(1)
+    }];
+    same_on_threads(setup.clone());
     same_after_resume(setup);
 }
 

@@ -88,7 +88,9 @@ impl<const D: usize> Pull<D> {
         } else {
             self.weights.clear();
         }
-        let charges = rows.map(|row| {
+        let mut charges = std::mem::take(&mut self.charges);
+        charges.clear();
+        charges.extend(rows.map(|row| {
             let (cohesion, rest_density) = self.fluids[usize::from(particles.fluid[row])];
             let Some((strength, sampled)) = self.wall(particles, row) else {
                 return Charge {
@@ -107,8 +109,8 @@ impl<const D: usize> Pull<D> {
                 rest_density,
                 ..Charge::default()
             }
-        });
-        self.charges = charges.collect();
+        }));
+        self.charges = charges;
     }
 
     /// Whether normals are part of the model.
