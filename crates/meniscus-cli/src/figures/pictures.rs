@@ -197,6 +197,7 @@ fn slice(case: &Case, frames: &[Frame]) -> View {
     View::Slice {
         direction: direction(case),
         at: depths().sum::<f64>() / depths().count().max(1) as f64,
-        thickness: case.spacing,
+        // More than a layer: the middle of a body is often between two.
+        thickness: 1.5 * case.spacing,
     }
 }
