@@ -1,0 +1,95 @@
+//! Density at the end of a step, and pressure.
+
+use rayon::prelude::*;
+
+use super::{ROWS_PER_TASK, Rates};
+use crate::particles::Particles;
+use crate::physics::continuity::{Continuity, NumberContinuity};
+use crate::physics::summation::Summation;
+use crate::physics::velocity_smoothing::VelocitySmoothing;
+use crate::scheme::DensityForm;
+use crate::term::Sweep;
+
+impl<const D: usize> Rates<D> {
+    /// Density at the end of a step of `dt` seconds that starts at `time`, then pressure. By
+    /// continuity from positions and velocities at its middle, where XSPH moves
+    /// particles too; by summation from positions at its end.
+    pub(crate) fn advance_density(&mut self, particles: &mut Particles<D>, time: f64, dt: f64) {
+        self.walls.go_halfway(&self.pairs, particles, dt);
+        match self.scheme.density {
+            DensityForm::Continuity | DensityForm::Number => {
+                if self.scheme.density == DensityForm::Number {
+                    self.pairs
+                        .sweep(&NumberContinuity, particles, |_| true, &mut self.scalars);
+                } else {
+                    self.pairs
+                        .sweep(&Continuity, particles, |_| true, &mut self.scalars);
+                }
+                self.walls
+                    .compress(&mut self.pairs, particles, &mut self.scalars);
+                self.diffuse(particles, time + 0.5 * dt);
+                self.smooth_motion(particles, dt);
+                (particles.density.par_iter_mut(), &self.scalars)
+                    .into_par_iter()
+                    .with_min_len(ROWS_PER_TASK)
+                    .for_each(|(density, rate)| *density += dt * *density * rate);
+            }
+            DensityForm::Summation => {
+                self.pairs
+                    .sweep(&Summation, particles, |_| true, &mut self.scalars);
+                particles.density.copy_from_slice(&self.scalars);
+            }
+        }
+        self.update_pressure(particles);
+    }
+
+    /// Adds diffusion to the rates of density at `time` seconds.
+    fn diffuse(&mut self, particles: &mut Particles<D>, time: f64) {
+        let Some(diffusion) = self.scheme.density_diffusion else {
+            return;
+        };
+        let gravity = self.body_force(time);
+        self.walls.hide(particles, |_| true);
+        self.diffusing.add(
+            diffusion,
+            &mut self.pairs,
+            particles,
+            &self.fluids,
+            self.scheme.smoothing_length,
+            gravity,
+            &mut self.scalars,
+        );
+        self.walls.show(particles);
+    }
+
+    /// Moves particles towards the velocity of their surroundings, for `dt` seconds.
+    fn smooth_motion(&mut self, particles: &mut Particles<D>, dt: f64) {
+        let strength = self.scheme.velocity_smoothing;
+        if strength == 0.0 {
+            return;
+        }
+        let term = VelocitySmoothing { strength };
+        self.walls.hide(particles, |_| true);
+        self.pairs
+            .sweep(&term, particles, |_| true, &mut self.vectors);
+        self.walls.show(particles);
+        self.walls.keep(&mut self.vectors);
+        (particles.position.par_iter_mut(), &self.vectors)
+            .into_par_iter()
+            .with_min_len(ROWS_PER_TASK)
+            .for_each(|(position, velocity)| *position += *velocity * dt);
+    }
+
+    pub(crate) fn update_pressure(&self, particles: &mut Particles<D>) {
+        (
+            particles.pressure.par_iter_mut(),
+            &particles.density,
+            &particles.fluid,
+        )
+            .into_par_iter()
+            .with_min_len(ROWS_PER_TASK)
+            .for_each(|(pressure, density, fluid)| {
+                *pressure = self.equations_of_state[*fluid as usize].pressure(*density);
+            });
+    }
+}

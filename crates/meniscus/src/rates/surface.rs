@@ -1,0 +1,119 @@
+//! Forces by surface tension.
+
+use super::{Rates, mean_spacing};
+use crate::pairs::{Domain, Pairs};
+use crate::particles::Particles;
+use crate::physics::surface_tension::SurfaceTension;
+use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
+use crate::scheme::Bearing;
+use crate::vector::Vector;
+
+impl<const D: usize> Rates<D> {
+    /// Adds the acceleration by surface tension, m/s^2.
+    pub(super) fn pull_surface(
+        &mut self,
+        particles: &Particles<D>,
+        acceleration: &mut [Vector<f64, D>],
+    ) {
+        let smoothing_length = self.scheme.smoothing_length;
+        match self.scheme.surface_tension {
+            Some(SurfaceTension::JancikHyhlik(model)) => model.accelerate(
+                &mut self.pairs,
+                particles,
+                smoothing_length,
+                |i| self.fluids[particles.fluid[i] as usize].surface_tension,
+                &mut self.surface,
+                acceleration,
+            ),
+            Some(SurfaceTension::Continuum(model)) => {
+                let surroundings = Surroundings {
+                    fluids: &self.fluids,
+                    smoothing_length,
+                };
+                if !self.surface.is_calibrated() {
+                    let spacing = mean_spacing(&self.fluids, particles);
+                    let support = self.scheme.kernel.support() * smoothing_length;
+                    let mut layer = FlatLayer::new(surroundings, support, spacing);
+                    let periodic = layer.periodic;
+                    let domain = Domain { periodic };
+                    let mut pairs = self.pairs.sibling(smoothing_length, spacing, domain);
+                    pairs.relist(&mut layer.particles);
+                    model.calibrate(&mut pairs, &layer, surroundings, &mut self.surface);
+                }
+                model.accelerate(
+                    &mut self.pairs,
+                    &mut self.at_surface,
+                    particles,
+                    surroundings,
+                    &mut self.surface,
+                    acceleration,
+                );
+            }
+            Some(SurfaceTension::Pairwise(_)) | None => {}
+        }
+    }
+
+    /// Adds to the pressure of walls what balances the forces of pairs on the fluid near them.
+    pub(super) fn press_walls(&mut self, particles: &mut Particles<D>) {
+        let Some(pull) = &mut self.pull else {
+            return;
+        };
+        let builds = self.pairs.builds();
+        let mut rows = std::mem::take(&mut self.bearing);
+        for bearing in [Bearing::Adhesion, Bearing::Pairs] {
+            self.walls.find_bearing(particles, bearing, &mut rows);
+            if rows.is_empty() {
+                continue;
+            }
+            pull.charge(&mut self.pairs, particles, builds);
+            let cohesion = bearing == Bearing::Pairs;
+            pull.press_walls(&mut self.pairs, particles, cohesion, &rows);
+            for &row in &rows {
+                let equation = self.equations_of_state[usize::from(particles.fluid[row])];
+                particles.density[row] = equation.density(particles.pressure[row]);
+            }
+        }
+        self.bearing = rows;
+    }
+
+    /// Adds the acceleration by forces of pairs, walls among them, m/s^2.
+    pub(super) fn pull_pairs(
+        &mut self,
+        particles: &mut Particles<D>,
+        acceleration: &mut [Vector<f64, D>],
+    ) {
+        let Some(pull) = &mut self.pull else {
+            return;
+        };
+        let builds = self.pairs.builds();
+        pull.charge(&mut self.pairs, particles, builds);
+        if pull.has_curvature() {
+            self.walls.hide(particles, |_| true);
+            pull.find_normals(&mut self.pairs, particles);
+            self.walls.show(particles);
+        }
+        pull.accelerate(&mut self.pairs, particles, &mut self.surface, acceleration);
+    }
+
+    /// The square of the largest frequency of stiff forces, 1/s^2, where the largest acceleration
+    /// is `largest`, m/s^2.
+    pub(crate) fn stiffness(&self, largest: f64) -> f64 {
+        (self.pull.as_ref()).map_or(0.0, |pull| pull.stiffness(largest))
+    }
+
+    /// Part of the acceleration of row `i` that surface tension made, m/s^2.
+    pub(crate) fn surface_acceleration(
+        &self,
+        particles: &Particles<D>,
+        i: usize,
+    ) -> Vector<f64, D> {
+        let force = self.surface.force.get(i).copied().unwrap_or_default();
+        force * (1.0 / particles.density[i])
+    }
+}
+
+impl<const D: usize> Relist<D> for Pairs<D> {
+    fn relist(&mut self, particles: &mut Particles<D>) {
+        self.rebuild(particles);
+    }
+}
