@@ -5,6 +5,7 @@ pub mod budget;
 mod contact_angle;
 mod crown;
 mod extremes;
+mod hydrostatics;
 mod merging;
 mod oscillation;
 mod roundness;
@@ -56,6 +57,7 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     curvature(case, series, &mut findings);
     at_rest::measure(case, series, &mut findings);
     roundness::measure(case, series, &mut findings);
+    hydrostatics::measure(case, series, &mut findings);
     crown::measure(case, series, &mut findings);
     contact_angle::measure(case, series, &mut findings);
     tank::measure(case, series, &mut findings);

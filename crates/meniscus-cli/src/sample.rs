@@ -3,6 +3,7 @@
 pub mod arc;
 pub mod asked;
 pub mod budget;
+pub mod hydrostatics;
 mod pieces;
 
 use meniscus::measure::{
@@ -136,6 +137,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
         }
         columns.extend(budget::columns(self.case, &per("J")));
         columns.extend(asked::columns(self.case));
+        columns.extend(hydrostatics::columns(self.case));
         columns.extend(pieces::columns(self.case));
         columns
     }
@@ -243,6 +245,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
         }
         row.extend(budget::row(self.case, simulation, p));
         row.extend(asked::row(self.case, p));
+        row.extend(hydrostatics::row(self.case, simulation));
         row.extend(pieces::row(self.case, p));
         row
     }

@@ -13,6 +13,8 @@ pub struct Measure {
     pub static_pressure: Option<StaticPressure>,
     /// How round the first body is, and how dense.
     pub roundness: Option<Window>,
+    /// Pressure against depth.
+    pub hydrostatics: Option<Hydrostatics>,
     /// The crown of a splash.
     pub crown: Option<Crown>,
     /// The angle at which a drop meets a wall.
@@ -53,6 +55,17 @@ pub struct StaticPressure {
     pub window: Window,
     /// Where the pressure around the drop is read, m; none for a void.
     pub outside: Option<[f64; 3]>,
+}
+
+/// Pressure against depth in a liquid at rest; the last axis points up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hydrostatics {
+    /// Height of the surface, m.
+    pub level: f64,
+    /// Depth of the liquid, m.
+    pub depth: f64,
+    /// Over which time it is averaged.
+    pub window: Window,
 }
 
 /// A part of the run, over which something is averaged or fitted.
@@ -170,6 +183,21 @@ pub(super) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[&str]) -> Me
             "roundness",
             "Average how round the first body is, its size by mass and density, and what is at its centre.",
             |node| node.table(|fields| window(fields, end_time, 0.8)),
+        ),
+        hydrostatics: fields.optional(
+            "hydrostatics",
+            "Compare pressure with the weight above, all over a liquid at rest.",
+            |node| {
+                node.table(|fields| Hydrostatics {
+                    level: fields.required("level", "Height of the surface.", |node| {
+                        node.quantity(&units::LENGTH, Sign::Any)
+                    }),
+                    depth: fields.required("depth", "Depth of the liquid.", |node| {
+                        node.quantity(&units::LENGTH, Sign::Positive)
+                    }),
+                    window: window(fields, end_time, 0.8),
+                })
+            },
         ),
         crown: fields.optional(
             "crown",

@@ -21,8 +21,8 @@ mod wall_shape;
 pub(crate) use body::{DraftBody, Geometry};
 pub(crate) use document::{Draft, document};
 pub use measure::{
-    Arc, ContactAngle, Crown, Measure, Oscillation, Sensor, StaticPressure, TankSurface, Waist,
-    Window,
+    Arc, ContactAngle, Crown, Hydrostatics, Measure, Oscillation, Sensor, StaticPressure,
+    TankSurface, Waist, Window,
 };
 pub use output::Output;
 pub(crate) use wall::DraftWall;

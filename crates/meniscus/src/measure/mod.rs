@@ -13,6 +13,7 @@
 //! - which particles lie at a free surface: [`surface_particles`]
 //! - drops that merge or break: [`waist`], [`fragments`], [`Bag`], [`contacts`]
 //! - virtual pressure sensors: [`Sensor`]
+//! - pressure against depth: [`PressureProfile`]
 //! - pressure against radius, and what surface tension it shows: [`radial_profile`],
 //!   [`StaticSurfaceTension`]
 //! - a fitted oscillation and what surface tension it shows: [`DampedCosine`],
@@ -33,6 +34,7 @@ mod meniscus;
 mod oscillation;
 mod outline;
 mod power_law;
+mod pressure_profile;
 mod radial;
 #[cfg(test)]
 mod samples;
@@ -54,6 +56,7 @@ pub use meniscus::{Meniscus, TankSurface, surface_profile};
 pub use oscillation::OscillationSurfaceTension;
 pub use outline::Outline;
 pub use power_law::PowerLaw;
+pub use pressure_profile::PressureProfile;
 pub use radial::{RadialBin, StaticSurfaceTension, radial_profile};
 pub use semi_axes::{
     PrincipalAxes, semi_axes_along_coordinates, semi_axes_by_tips, surface_energy,
