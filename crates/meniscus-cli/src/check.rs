@@ -135,9 +135,14 @@ fn pairwise(case: &Case) -> Vec<String> {
     };
     let mut lines = Vec::new();
     for fluid in &case.fluids {
-        let sigma = with_unit(model.surface_tension(fluid, &resolution), "N/m", 4);
-        let text = format!("{sigma} in {}, of a sharp surface", fluid.name);
-        lines.push(line("pairwise", &text));
+        let sigma = |value: f64| with_unit(value, "N/m", 4);
+        let text = format!(
+            "{} in {}, {} with the pressure that cohesion makes",
+            sigma(model.surface_tension(fluid, &resolution)),
+            fluid.name,
+            sigma(model.net_surface_tension(fluid, &resolution))
+        );
+        lines.push(line("sharp surface", &text));
         let pressure = with_unit(model.cohesion_pressure(fluid, &resolution), "Pa", 4);
         let text = format!("{pressure} in {}, in bulk", fluid.name);
         lines.push(line("cohesion", &text));

@@ -54,7 +54,11 @@ fn the_virial_pressure_of_bulk_is_minus_the_cohesion_pressure() {
 
 /// What it takes per area to part the lower half of a slab from its upper half, or from a wall
 /// that is its upper half, by the forces at many distances.
-fn work_of_parting<const D: usize>(model: Pairwise, adhesion: Option<Adhesion>) -> f64
+fn work_of_parting<const D: usize>(
+    model: Pairwise,
+    adhesion: Option<Adhesion>,
+    pressure: f64,
+) -> f64
 where
     Space: Dimension<D>,
 {
@@ -70,6 +74,7 @@ where
         setup.scheme.surface_tension = Some(SurfaceTension::Pairwise(model));
         setup.scheme.smoothing_length = FINE * setup.spacing;
         setup.domain.periodic[D - 1] = None;
+        setup.fluids[0].background_pressure = pressure;
         for particle in &mut setup.particles {
             if particle.position[D - 1] > middle {
                 particle.position[D - 1] += gap;
@@ -98,17 +103,38 @@ where
 #[test]
 fn to_part_a_liquid_takes_twice_its_surface_tension() {
     for model in soft() {
-        let plane = work_of_parting::<2>(model, None);
+        let plane = work_of_parting::<2>(model, None, 0.0);
         assert!(
             (plane / 2.0 - 1.0).abs() < lattice_error(model),
             "{model:?}: {plane}"
         );
     }
-    let space = work_of_parting::<3>(cohesion(), None);
+    let space = work_of_parting::<3>(cohesion(), None, 0.0);
     assert!(
         (space / 2.0 - 1.0).abs() < lattice_error(cohesion()),
         "3D: {space}"
     );
+}
+
+fn parts_under_pressure<const D: usize>()
+where
+    Space: Dimension<D>,
+{
+    let mut setup = periodic_box::<D>(10, |_| Vector::ZERO, fluid(0.0, 1.0));
+    setup.scheme.smoothing_length = FINE * setup.spacing;
+    let (model, water) = (cohesion(), &setup.fluids[0]);
+    let net = model.net_surface_tension(water, &resolution(&setup));
+    let pressure = model.cohesion_pressure(water, &resolution(&setup));
+    let work = work_of_parting::<D>(model, None, pressure);
+    // What is left of two large parts, each known to 1.5 %.
+    let error = (work / 2.0 - net).abs();
+    assert!(error < 2.0 * lattice_error(model), "{D}D: {work} of {net}");
+}
+
+#[test]
+fn under_its_cohesion_pressure_a_liquid_parts_more_easily() {
+    parts_under_pressure::<2>();
+    parts_under_pressure::<3>();
 }
 
 /// Young and Dupre: sigma (1 + cos theta).
@@ -116,7 +142,7 @@ fn to_part_a_liquid_takes_twice_its_surface_tension() {
 fn to_part_a_liquid_from_a_wall_takes_what_the_contact_angle_says() {
     for model in [cohesion(), soft()[1]] {
         for angle in [0.3, 0.5 * PI, 2.2] {
-            let work = work_of_parting::<2>(model, Some(Adhesion::ContactAngle(angle)));
+            let work = work_of_parting::<2>(model, Some(Adhesion::ContactAngle(angle)), 0.0);
             let ratio = work / (1.0 + f64::cos(angle));
             assert!(
                 (ratio - 1.0).abs() < lattice_error(model),

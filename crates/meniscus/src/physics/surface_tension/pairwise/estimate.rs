@@ -13,8 +13,8 @@
 //!
 //! - 1/2 rho^2 H integral (z - z') (n(z) - n(z')) over z, z' < 0 and across, |x - x'| < s
 //!
-//! In a flow the surface is not sharp, nor are particles spread evenly: a drop shows less
-//! surface tension, see docs/theory.md.
+//! In a flow the surface is not sharp, nor are particles spread evenly, and the pressure takes
+//! from it ([`Pairwise::net_surface_tension`]): a drop shows less surface tension, see docs/theory.md.
 
 use std::f64::consts::PI;
 
@@ -101,6 +101,27 @@ impl Pairwise {
     /// The surface tension sigma of a fluid, N/m; its own, where the strength follows from it.
     pub fn surface_tension(&self, fluid: &Fluid, resolution: &Resolution) -> f64 {
         self.strength(fluid, resolution) * self.tension_of_one(fluid, resolution)
+    }
+
+    /// The surface tension less what the pressure that bears the cohesion takes from it, N/m.
+    ///
+    /// Pressure acts between particles as well, over the reach of W: it pushes them apart, and a
+    /// pressure of p_c up to the surface takes off p_c r / pi in 2D and p_c r / 4 in 3D, with r the
+    /// mean distance under W. At a surface it falls to zero: what a flow shows lies between this
+    /// and [`surface_tension`](Self::surface_tension).
+    pub fn net_surface_tension(&self, fluid: &Fluid, resolution: &Resolution) -> f64 {
+        let (s, dimension) = (resolution.support(), resolution.dimension);
+        let w = |q: f64| {
+            let h = resolution.smoothing_length;
+            resolution.kernel.value(q * s, h, dimension) * s.powi(dimension as i32 + 1)
+        };
+        let (around, share) = match dimension {
+            2 => (2.0 * PI, 1.0 / PI),
+            _ => (4.0 * PI, 0.25),
+        };
+        let mean_distance = around * moment(dimension as i32, w);
+        let pressure = self.cohesion_pressure(fluid, resolution);
+        self.surface_tension(fluid, resolution) - share * pressure * mean_distance
     }
 
     /// The contact angle, rad, at a wall; none where the fluid wets it completely.
