@@ -2,7 +2,7 @@
 //!
 //! - `document`: the top of the file
 //! - `fluid`, `body`, `shape`, `arrangement`: what there is at the start; `wall`, `wall_shape`, `motion`: around it
-//! - `physics`: what is solved; `pairwise`: surface tension by forces of pairs
+//! - `physics`: what is solved; `surface_tension`, `pairwise`: models of surface tension
 //! - `output`: how often results are written; `measure`: what is measured
 
 mod arrangement;
@@ -15,6 +15,7 @@ mod output;
 mod pairwise;
 mod physics;
 mod shape;
+mod surface_tension;
 mod wall;
 mod wall_shape;
 
