@@ -139,6 +139,8 @@ pub struct Waist {
     pub normal: [f64; 3],
     /// The radius whose time is wanted, m.
     pub reaches: Option<f64>,
+    /// The time at which the radius is wanted, s.
+    pub time: Option<f64>,
 }
 
 /// A place where something is read.
@@ -287,6 +289,9 @@ fn waist(fields: &mut Fields<'_, '_>) -> Waist {
             "A radius; the time at which it is first reached is told.",
             |node| node.quantity(&units::LENGTH, Sign::Positive),
         ),
+        time: fields.optional("time", "A time; the radius then is told.", |node| {
+            node.quantity(&units::TIME, Sign::NotNegative)
+        }),
     }
 }
 

@@ -6,30 +6,32 @@ use meniscus_report::number::with_unit;
 
 use super::{Findings, exact, window};
 
-/// When the waist first has the radius that was asked for, by straight lines between the rows.
+/// When the waist first has the radius that was asked for, by straight lines between the rows,
+/// and its radius at the time that was asked for.
 pub(super) fn waist(case: &Case, series: &Series, findings: &mut Findings) {
-    let wanted = case.measure.waist.as_ref().and_then(|waist| waist.reaches);
     let found = window(series, "waist", 0.0, case.end_time);
-    let (Some(wanted), Some((time, radius))) = (wanted, found) else {
+    let (Some(asked), Some((time, radius))) = (&case.measure.waist, found) else {
         return;
     };
-    let crossed = (1..radius.len())
-        .find(|&k| (radius[k - 1] < wanted) != (radius[k] < wanted))
-        .map(|k| {
-            let share = (wanted - radius[k - 1]) / (radius[k] - radius[k - 1]);
-            time[k - 1] + share * (time[k] - time[k - 1])
-        });
-    let name = format!(
-        "time at which the waist has a radius of {}",
-        with_unit(wanted, "m", 4)
-    );
-    findings.add(
-        "waist-time",
-        &name,
-        "s",
-        None,
-        exact(crossed.unwrap_or(f64::NAN)),
-    );
+    if let Some(then) = asked.time {
+        let row = time.iter().position(|t| *t >= then);
+        let found = row.and_then(|row| radius.get(row)).copied();
+        let name = format!("radius of the waist at {}", with_unit(then, "s", 4));
+        let found = exact(found.unwrap_or(f64::NAN));
+        findings.add("waist-radius", &name, "m", None, found);
+    }
+    if let Some(wanted) = asked.reaches {
+        let crossed = (1..radius.len())
+            .find(|&k| (radius[k - 1] < wanted) != (radius[k] < wanted))
+            .map(|k| {
+                let share = (wanted - radius[k - 1]) / (radius[k] - radius[k - 1]);
+                time[k - 1] + share * (time[k] - time[k - 1])
+            });
+        let wanted = with_unit(wanted, "m", 4);
+        let name = format!("time at which the waist has a radius of {wanted}");
+        let found = exact(crossed.unwrap_or(f64::NAN));
+        findings.add("waist-time", &name, "s", None, found);
+    }
 }
 
 /// What shape a body has when it breaks: at the end of the run, or as the first tenth of it has
@@ -68,22 +70,24 @@ pub(super) fn breakup(case: &Case, series: &Series, findings: &mut Findings) {
     add("span", "radius across its way", "m", at("span"));
     let name = "rim ahead of the centre, over that radius (below 0: opens backward)";
     add("opening", name, "", at("opening"));
+    let film = at("centre thickness") / at("span");
     let ratio = at("centre thickness") / at("rim thickness");
+    add("film", "thickness in the middle over that radius", "", film);
     let name = "thickness in the middle over that of the rim";
     add("thickness-ratio", name, "", ratio);
     let name = "mode: 1 bag open forward, -1 bag open backward, 2 sheared rim, 0 neither";
-    add("mode", name, "", mode(at("opening"), ratio));
+    add("mode", name, "", mode(at("opening"), film, ratio));
 }
 
-/// How a drop breaks, by two numbers of its shape. A bag is bent by more than a tenth of its radius,
-/// and a third thinner in the middle than at its rim; a rim that is sheared off is bent as much,
-/// before a middle that is thicker than it.
-fn mode(opening: f64, thickness_ratio: f64) -> f64 {
+/// How a drop breaks, by numbers of its shape. A bag is bent by more than a tenth of its radius and
+/// a film in the middle, thinner than a quarter of it; a rim that is sheared off is bent as much,
+/// before a middle that is no film and thicker than the rim.
+fn mode(opening: f64, film: f64, ratio: f64) -> f64 {
     if opening.abs() < 0.1 {
         0.0
-    } else if thickness_ratio < 2.0 / 3.0 {
+    } else if film < 0.25 {
         opening.signum()
-    } else if thickness_ratio > 1.0 {
+    } else if ratio > 1.0 {
         2.0
     } else {
         0.0

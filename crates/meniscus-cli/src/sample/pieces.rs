@@ -8,6 +8,9 @@ use meniscus_output::Column;
 /// Particles nearer than this many spacings are of one piece.
 const LINK: f64 = 1.6;
 
+/// Thickness of a cut, in spacings: two layers, so that it never falls between them.
+const CUT: f64 = 2.0;
+
 const WAIST: (&str, &str) = ("waist", "m");
 /// Of the largest piece, but for their number.
 const BREAKUP: [(&str, &str); 6] = [
@@ -42,7 +45,7 @@ pub fn row<const D: usize>(case: &Case, liquid: &Particles<D>) -> Vec<f64> {
     let body = liquid.of_bodies(|body| body == 0);
     if let Some(plane) = &asked.waist {
         let (at, normal) = (Vector::from_3d(plane.at), Vector::from_3d(plane.normal));
-        let found = waist(&body.position, at, normal, case.spacing);
+        let found = waist(&body.position, at, normal, CUT * case.spacing);
         row.push(found.unwrap_or(0.0));
     }
     if let Some(direction) = asked.breakup {
