@@ -1,4 +1,4 @@
-//! Whether the liquid's energy is what was put into it.
+//! Whether the liquid's energy and momentum are what was put into it.
 
 use meniscus_case::Case;
 use meniscus_output::Series;
@@ -21,8 +21,42 @@ pub fn lost(series: &Series) -> Option<Vec<f64>> {
     )
 }
 
+/// The largest impulse along any axis, by the end, that neither body force nor walls explain, over the
+/// sum of what the walls gave, %. As good as the series is fine.
+fn unexplained_impulse(case: &Case, series: &Series) -> Option<f64> {
+    if case.scheme.damping != 0.0 || case.walls.is_empty() {
+        return None;
+    }
+    let time = series.column("time")?;
+    let mass: f64 = case.bodies.iter().map(|body| body.mass).sum();
+    let (mut worst, mut given): (f64, f64) = (0.0, 0.0);
+    for (d, axis) in ["x", "y", "z"].iter().enumerate().take(case.dimension) {
+        let mut on_walls = vec![0.0; time.len()];
+        for wall in &case.walls {
+            let load = series.column(&format!("{} force {axis}", wall.name))?;
+            on_walls.iter_mut().zip(load).for_each(|(sum, x)| *sum += x);
+        }
+        let weight = |t: f64| (case.scheme.body_force.as_ref()).map_or(0.0, |g| mass * g.at(t)[d]);
+        let momentum = series.column(&format!("momentum {axis}"))?;
+        let mut missing = momentum.last()? - momentum.first()?;
+        for k in 1..time.len() {
+            let half = 0.5 * (time[k] - time[k - 1]);
+            missing -= half * (weight(time[k]) + weight(time[k - 1]));
+            missing += half * (on_walls[k] + on_walls[k - 1]);
+            given += half * (on_walls[k].abs() + on_walls[k - 1].abs());
+        }
+        worst = worst.max(missing.abs());
+    }
+    (given > 0.0).then_some(100.0 * worst / given)
+}
+
 /// What was lost at the end, beside the work that was done.
 pub fn measure(case: &Case, series: &Series, findings: &mut Findings) {
+    if let Some(share) = unexplained_impulse(case, series) {
+        let name = "impulse that nothing explains, of the walls'";
+        let nothing = Some(("exact", 0.0));
+        findings.add("impulse-missing", name, "%", nothing, exact(share));
+    }
     let Some(lost) = lost(series) else {
         return;
     };
