@@ -89,9 +89,17 @@ pub fn movie(case: &Case, reader: &FrameReader) -> Result<Option<Movie>, Failure
         .and_then(|frame| frame.fields.iter().find(|field| field.name == name))
         .map_or_else(String::new, |field| field.unit.clone());
     let caption = format!("Particles, coloured by {name}.");
-    Ok(Some(
-        from_outside(case, &frames, &label, &unit).movie("movie", &caption),
-    ))
+    let names: Vec<&str> = match name {
+        "body" => case.bodies.iter().map(|body| body.name.as_str()).collect(),
+        "fluid" => case
+            .fluids
+            .iter()
+            .map(|fluid| fluid.name.as_str())
+            .collect(),
+        _ => Vec::new(),
+    };
+    let pictures = from_outside(case, &frames, &label, &unit).named(&names);
+    Ok(Some(pictures.movie("movie", &caption)))
 }
 
 /// Seen from the side. In 3D walls, and fluids around those with surface tension, are left out:
