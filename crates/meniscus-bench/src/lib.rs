@@ -112,6 +112,7 @@ macro_rules! from {
 from!(
     meniscus::setup::SetupError,
     meniscus::divergence::Diverged,
+    meniscus::shape::FillError,
     rayon::ThreadPoolBuildError
 );
 

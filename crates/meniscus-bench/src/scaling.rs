@@ -62,7 +62,7 @@ pub fn measure(options: &Options, progress: &mut dyn FnMut(&str)) -> Result<Scal
     let mut curves = Vec::new();
     for &variant in &options.variants {
         for &dimension in &options.dimensions {
-            for flow in Flow::ALL {
+            for flow in Flow::SCALED {
                 let mut points = Vec::new();
                 for &size in &sizes {
                     progress(&format!("{dimension}D, {size} particles, {}", flow.name()));

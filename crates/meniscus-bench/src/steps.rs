@@ -67,7 +67,8 @@ where
     let h = smoothing_length(D);
     let yardstick = largest.work(|| Yardstick::new(&particles, rows, h, 0.1));
     let mut pace = Pace::new(&yardstick);
-    let n = particles.len() as f64;
+    // A floor is part of what the liquid costs.
+    let n = state.particles.len() as f64;
     let mut samples = vec![Samples::default(); crews.len()];
     let mut lives = Vec::new();
     let begin = Instant::now();

@@ -79,9 +79,9 @@ fn a_run_has_all_that_is_promised() {
                 "{difference}: {still}"
             );
         }
-        // Lists and six sweeps, a surface force and none, on one thread and on two.
+        // Lists and six sweeps, three flows, on one thread and on two.
         assert_eq!(still["sweeps"].as_array().unwrap().len(), 14);
-        assert_eq!(costs["steps"].as_array().unwrap().len(), 4);
+        assert_eq!(costs["steps"].as_array().unwrap().len(), 6);
         for sweep in still["sweeps"].as_array().unwrap() {
             assert!(is_positive(&sweep["cost"]["nanoseconds"]), "{sweep}");
             if sweep["name"] != "lists" {

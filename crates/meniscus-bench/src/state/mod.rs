@@ -9,7 +9,11 @@ mod splash;
 
 use crate::variant::Variant;
 use meniscus::particles::Particle;
+use meniscus::physics::surface_tension::pairwise::Pairwise;
+use meniscus::physics::surface_tension::pairwise::akinci::Akinci;
+use meniscus::physics::wall::layout::Layers;
 use meniscus::rates::{Dimension, Space};
+use meniscus::scheme::{Adhesion, PressureForm, Wall};
 use meniscus::{Domain, Fluid, Scheme, Setup, Simulation, SurfaceTension, Vector};
 use serde::Serialize;
 
@@ -49,17 +53,22 @@ pub enum Flow {
     Plain,
     /// That, and the continuum surface force of a free surface (Jancik and Hyhlik).
     Csf,
+    /// Plain, and cohesion and adhesion by forces of pairs (Akinci), on a floor that wets.
+    Wetting,
 }
 
 impl Flow {
     /// All that is measured.
-    pub const ALL: [Flow; 2] = [Flow::Plain, Flow::Csf];
+    pub const ALL: [Flow; 3] = [Flow::Plain, Flow::Csf, Flow::Wetting];
+    /// Those that are measured from small to large.
+    pub const SCALED: [Flow; 2] = [Flow::Plain, Flow::Csf];
 
     /// As printed.
     pub fn name(self) -> &'static str {
         match self {
             Flow::Plain => "plain",
             Flow::Csf => "surface force",
+            Flow::Wetting => "pair forces on a floor",
         }
     }
 }
@@ -76,18 +85,68 @@ pub fn fluid(flow: Flow) -> Fluid {
         sound_speed: SOUND_SPEED,
         surface_tension: match flow {
             Flow::Plain => 0.0,
-            Flow::Csf => SURFACE_TENSION,
+            Flow::Csf | Flow::Wetting => SURFACE_TENSION,
         },
         ..Fluid::new("liquid", 1.0)
     }
 }
 
 fn scheme<const D: usize>(flow: Flow) -> Scheme {
-    Scheme {
-        surface_tension: (flow == Flow::Csf).then(SurfaceTension::default),
-        ..Scheme::new(smoothing_length(D))
+    let plain = Scheme::new(smoothing_length(D));
+    match flow {
+        Flow::Plain => plain,
+        Flow::Csf => Scheme {
+            surface_tension: Some(SurfaceTension::default()),
+            ..plain
+        },
+        Flow::Wetting => Scheme {
+            surface_tension: Some(SurfaceTension::Pairwise(
+                Pairwise::Akinci(Akinci::default()),
+            )),
+            pressure: PressureForm::OverDensityProduct,
+            walls: vec![Wall {
+                adhesion: Adhesion::ContactAngle(1.0),
+                ..Wall::new(FLOOR)
+            }],
+            ..plain
+        },
     }
 }
+
+/// The body of the floor.
+const FLOOR: u16 = 1;
+
+/// A floor half a spacing below the lowest particle, as wide as they reach.
+fn floor<const D: usize>(
+    particles: &[Particle<D>],
+    scheme: &Scheme,
+) -> Result<Vec<Particle<D>>, BenchError> {
+    let (mut low, mut high) = ([f64::INFINITY; D], [f64::NEG_INFINITY; D]);
+    for particle in particles {
+        for d in 0..D {
+            low[d] = low[d].min(particle.position[d]);
+            high[d] = high[d].max(particle.position[d]);
+        }
+    }
+    let upward = D - 1;
+    let mut middle = Vector(std::array::from_fn(|d| 0.5 * (low[d] + high[d])));
+    middle[upward] = low[upward] - 0.5;
+    let mut up = Vector::ZERO;
+    up[upward] = 1.0;
+    let width = (0..upward)
+        .map(|d| high[d] - low[d] + 1.0)
+        .fold(0.0, f64::max);
+    let support = scheme.kernel.support() * scheme.smoothing_length;
+    let positions = Layers::new(1.0, support, LARGEST_FLOOR).plane(middle, up, width)?;
+    let of_floor = |position: Vector<f64, D>| Particle {
+        body: FLOOR,
+        ..particle(position.0, [0.0; D])
+    };
+    Ok(positions.into_iter().map(of_floor).collect())
+}
+
+/// Particles of a floor, at most.
+const LARGEST_FLOOR: usize = 10_000_000;
 
 /// Places and velocities to start from.
 #[derive(Clone, Debug)]
@@ -123,13 +182,18 @@ where
     /// # Errors
     /// None that this crate can cause.
     pub fn simulation(&self, flow: Flow, variant: Variant) -> Result<Simulation<D>, BenchError> {
+        let scheme = Scheme {
+            precision: variant.precision,
+            ..scheme::<D>(flow)
+        };
+        let mut particles = self.particles.clone();
+        if flow == Flow::Wetting {
+            particles.extend(floor(&self.particles, &scheme)?);
+        }
         let mut simulation = Simulation::new(Setup {
-            scheme: Scheme {
-                precision: variant.precision,
-                ..scheme::<D>(flow)
-            },
+            scheme,
             fluids: vec![fluid(flow)],
-            particles: self.particles.clone(),
+            particles,
             spacing: 1.0,
             domain: Domain::default(),
         })?;
