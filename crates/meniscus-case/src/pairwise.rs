@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use meniscus::physics::surface_tension::pairwise::Pairwise;
-use meniscus::scheme::{Adhesion, SurfaceTension};
+use meniscus::physics::surface_tension::pairwise::estimate::Resolution;
+use meniscus::scheme::{Adhesion, Fluid, SurfaceTension};
 
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::grammar::Draft;
@@ -19,6 +20,24 @@ pub(crate) fn model(draft: &Draft) -> Option<Pairwise> {
 /// Whether the strength of the forces is given by gamma, and not by surface tension.
 pub(crate) fn has_gamma(draft: &Draft) -> bool {
     model(draft).is_some_and(|model| model.akinci().is_some_and(|akinci| akinci.gamma.is_some()))
+}
+
+/// What their cohesion pressure, as far as no background pressure bears it, comes to as a speed, m/s.
+pub(crate) fn cohesion_speed(draft: &Draft, fluids: &[Fluid]) -> f64 {
+    let Some(model) = model(draft) else {
+        return 0.0;
+    };
+    let resolution = Resolution {
+        kernel: draft.kernel,
+        smoothing_length: draft.smoothing_length,
+        spacing: draft.spacing,
+        dimension: draft.dimension,
+    };
+    let speed = |fluid: &Fluid| {
+        let pressure = model.cohesion_pressure(fluid, &resolution) - fluid.background_pressure;
+        (pressure.max(0.0) / fluid.density).sqrt()
+    };
+    fluids.iter().map(speed).fold(0.0, f64::max)
 }
 
 /// Walls that attract what can not be attracted, and surface tension beside gamma.

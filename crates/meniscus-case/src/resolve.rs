@@ -97,6 +97,7 @@ fn assemble(
     let liquid = &particles[..of_fluid];
     let mut speeds = SpeedScales::new(draft.dimension, liquid, &fluids, &volumes, body_force);
     speeds.initial = speeds.initial.max(largest_speed(&walls, &particles));
+    speeds.cohesion = pairwise::cohesion_speed(&draft, &fluids);
     let (walls, wall_schemes) = walls.into_iter().unzip();
     choose_sound_speeds(&draft, &speeds, &mut fluids, echo, problems);
     warn_of_idle_surface_tension(&draft, problems);

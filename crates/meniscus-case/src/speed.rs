@@ -15,12 +15,16 @@ pub struct SpeedScales {
     /// sqrt(g H), with the largest acceleration g of the body force, and the
     /// extent H of all bodies along it: hydrostatic pressure as a speed.
     pub gravity: f64,
+    /// sqrt(p / rho), p what is left of the cohesion pressure of pairwise forces above the
+    /// background pressure.
+    pub cohesion: f64,
 }
 
 impl SpeedScales {
     /// The largest of them, m/s.
     pub fn largest(&self) -> f64 {
-        self.initial.max(self.capillary).max(self.gravity)
+        let by_forces = self.capillary.max(self.gravity).max(self.cohesion);
+        self.initial.max(by_forces)
     }
 
     /// From what there is at the start. `bodies` holds the fluid and the
@@ -73,6 +77,7 @@ impl SpeedScales {
             initial,
             capillary,
             gravity,
+            cohesion: 0.0,
         }
     }
 }
