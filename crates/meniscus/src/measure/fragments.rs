@@ -127,7 +127,8 @@ mod tests {
         // Straight over, and to the two diagonal neighbours but for those at the ends.
         assert_eq!(contacts(&below, &above, 1.6), 20 + 2 * 19);
         let (even, odd): (Vec<_>, Vec<_>) = below.iter().partition(|x| x[0].floor() % 2.0 == 0.0);
-        assert!(contacts(&even, &odd, 1.6) > 4 * 58);
+        // Each of the 19 seams between columns: straight over in four rows, across in three.
+        assert_eq!(contacts(&even, &odd, 1.6), 19 * (4 + 2 * 3));
     }
 
     #[test]
