@@ -52,16 +52,8 @@ impl Convergence {
             .iter()
             .map(|(number, value)| Some((*value)? - number.theory?));
         let number = Number {
-            id: self.id.clone(),
-            about: self.about.clone(),
-            case: String::new(),
-            finding: String::new(),
-            ratio: false,
-            unit: None,
             published: order(published.collect()),
-            theory: None,
-            tolerance: self.tolerance,
-            differs: None,
+            ..Number::derived(&self.id, &self.about, self.tolerance)
         };
         Ok((number, order(computed.collect())))
     }

@@ -17,6 +17,7 @@ use meniscus_output::Series;
 use serde::{Deserialize, Serialize};
 
 use crate::sample::arc::DEVIATION;
+use crate::sample::{body_names, of_body};
 
 /// A number that was measured.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -134,12 +135,9 @@ pub fn mean(series: &Series, name: &str, over: &Window) -> Option<Estimate> {
     })
 }
 
-/// The column of the first body: it has the body's name where there are several.
+/// The name of a column of the first body.
 fn of_first_body(case: &Case, quantity: &str) -> String {
-    match &case.bodies[..] {
-        [body, _, ..] => format!("{} {quantity}", body.name),
-        _ => quantity.to_owned(),
-    }
+    of_body(&body_names(case), 0, quantity)
 }
 
 /// Curvature at the places asked for, at the start.

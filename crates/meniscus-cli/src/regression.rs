@@ -68,16 +68,10 @@ impl Regression {
         let points: Option<Vec<_>> = points.into_iter().collect();
         let line = points.and_then(|points| line(&points));
         let number = Number {
-            id: self.id.clone(),
-            about: self.about.clone(),
-            case: String::new(),
-            finding: String::new(),
-            ratio: false,
-            unit: None,
             published: self.published,
             theory: self.theory,
-            tolerance: self.tolerance,
             differs: self.differs.clone(),
+            ..Number::derived(&self.id, &self.about, self.tolerance)
         };
         let value = line.map(|(slope, offset)| match self.part {
             Part::Slope => slope,
@@ -104,16 +98,8 @@ mod tests {
 
     fn number(id: &str) -> Number {
         Number {
-            id: id.into(),
-            about: String::new(),
             case: id.into(),
-            finding: String::new(),
-            ratio: false,
-            unit: None,
-            published: None,
-            theory: None,
-            tolerance: 0.0,
-            differs: None,
+            ..Number::derived(id, "", 0.0)
         }
     }
 

@@ -69,6 +69,24 @@ pub struct Number {
     pub differs: Option<String>,
 }
 
+impl Number {
+    /// One that follows from those of several cases.
+    pub fn derived(id: &str, about: &str, tolerance: f64) -> Self {
+        Self {
+            id: id.to_owned(),
+            about: about.to_owned(),
+            case: String::new(),
+            finding: String::new(),
+            ratio: false,
+            unit: None,
+            published: None,
+            theory: None,
+            tolerance,
+            differs: None,
+        }
+    }
+}
+
 /// What a case gave, or why it gave nothing.
 type Outcome = Result<Vec<Finding>, String>;
 

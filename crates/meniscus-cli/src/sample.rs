@@ -45,7 +45,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
         let periodic = case.periodic.iter().any(Option::is_some);
         Self {
             case,
-            body_names: names("body", case.bodies.iter().map(|body| body.name.as_str())),
+            body_names: body_names(case),
             sensor_names: names(
                 "sensor",
                 case.measure.sensors.iter().map(|s| s.name.as_str()),
@@ -54,7 +54,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
                 "place",
                 case.measure.curvature.iter().map(|s| s.name.as_str()),
             ),
-            wall_names: names("wall", case.walls.iter().map(|wall| wall.name.as_str())),
+            wall_names: wall_names(case),
             sensors: case.measure.sensors.iter().map(|s| sensor(s.at)).collect(),
             bodies: if periodic {
                 0
@@ -148,12 +148,8 @@ impl<'a, const D: usize> Sampler<'a, D> {
         matches!(model, Some(SurfaceTension::Pairwise(_)))
     }
 
-    /// The name of a body's column: plain where there is only one body.
     fn of_body(&self, body: usize, quantity: &str) -> String {
-        match self.case.bodies.len() {
-            1 => quantity.to_owned(),
-            _ => format!("{} {quantity}", self.body_names[body]),
-        }
+        of_body(&self.body_names, body, quantity)
     }
 
     /// One row of the series; NaN where a quantity does not exist.
@@ -277,6 +273,24 @@ fn turned_about(dimension: usize) -> &'static [&'static str] {
     &AXES[if dimension == 2 { 2 } else { 0 }..]
 }
 
+/// What the columns of each body are named by.
+pub fn body_names(case: &Case) -> Vec<String> {
+    names("body", case.bodies.iter().map(|body| body.name.as_str()))
+}
+
+/// What the columns of each wall are named by.
+pub fn wall_names(case: &Case) -> Vec<String> {
+    names("wall", case.walls.iter().map(|wall| wall.name.as_str()))
+}
+
+/// The name of a body's column: plain where there is only one body.
+pub fn of_body(body_names: &[String], body: usize, quantity: &str) -> String {
+    match body_names {
+        [] | [_] => quantity.to_owned(),
+        _ => format!("{} {quantity}", body_names[body]),
+    }
+}
+
 /// Names that may stand in the header of a series, each once: where two are
 /// the same, or differ only in what a header cannot hold, all go by number.
 fn names<'a>(kind: &str, given: impl Iterator<Item = &'a str>) -> Vec<String> {
@@ -366,7 +380,7 @@ pub fn frame<const D: usize>(simulation: &Simulation<D>) -> Frame {
 
 #[cfg(test)]
 mod tests {
-    use super::names;
+    use super::{names, of_body};
 
     #[test]
     fn columns_have_names_that_a_header_can_hold_each_once() {
@@ -378,5 +392,8 @@ mod tests {
         );
         assert_eq!(of(&["a,b", "a\"b"]), ["body 1", "body 2"]);
         assert!(of(&[]).is_empty());
+        let pair = of(&["left, upper", "right"]);
+        assert_eq!(of_body(&pair, 0, "radius"), "left  upper radius");
+        assert_eq!(of_body(&pair[..1], 0, "radius"), "radius");
     }
 }

@@ -35,12 +35,15 @@ pub fn figures(
             "Particles, seen from the side",
         ),
     };
+    let mut speed = from_outside(case, &frames, "Speed", "m/s");
+    if case.dimension == 2 {
+        speed = speed.arrows(arrows(&frames));
+    }
     let mut figures = vec![
         pictures(case, &frames, "Pressure", "Pa")
             .view(slice(case, &frames))
             .figure("pressure", &format!("{inside}, coloured by pressure.")),
-        from_outside(case, &frames, "Speed", "m/s")
-            .figure("speed", &format!("{outside}, coloured by speed.")),
+        speed.figure("speed", &format!("{outside}, coloured by speed.")),
     ];
     if case.bodies.len() > 1 {
         let names: Vec<&str> = case.bodies.iter().map(|body| body.name.as_str()).collect();
@@ -106,11 +109,7 @@ pub fn movie(case: &Case, reader: &FrameReader) -> Result<Option<Movie>, Failure
 /// they would hide all.
 fn from_outside(case: &Case, frames: &[Frame], label: &str, unit: &str) -> ParticlePictures {
     if case.dimension == 2 {
-        let seen = pictures(case, frames, label, unit);
-        return match label {
-            "Speed" => seen.arrows(arrows(frames)),
-            _ => seen,
-        };
+        return pictures(case, frames, label, unit);
     }
     let has_surface = |fluid: f64| {
         let fluid = case.fluids.get(fluid as usize);

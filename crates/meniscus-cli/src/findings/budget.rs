@@ -5,6 +5,7 @@ use meniscus_output::Series;
 
 use super::{Findings, exact};
 use crate::sample::budget::BUDGET;
+use crate::sample::wall_names;
 
 /// Work put into the liquid since the start, less what kinetic and compression energy gained: over
 /// time, as long as the series goes. Heat by friction, and what went into the surface.
@@ -32,8 +33,8 @@ fn unexplained_impulse(case: &Case, series: &Series) -> Option<f64> {
     let (mut worst, mut given): (f64, f64) = (0.0, 0.0);
     for (d, axis) in ["x", "y", "z"].iter().enumerate().take(case.dimension) {
         let mut on_walls = vec![0.0; time.len()];
-        for wall in &case.walls {
-            let load = series.column(&format!("{} force {axis}", wall.name))?;
+        for wall in wall_names(case) {
+            let load = series.column(&format!("{wall} force {axis}"))?;
             on_walls.iter_mut().zip(load).for_each(|(sum, x)| *sum += x);
         }
         let weight = |t: f64| (case.scheme.body_force.as_ref()).map_or(0.0, |g| mass * g.at(t)[d]);

@@ -1,7 +1,6 @@
 //! Pieces that a body has broken into, and how far two bodies are mixed.
 
-use std::collections::HashMap;
-
+use super::cells::Cells;
 use crate::vector::Vector;
 
 /// For each particle the piece that it belongs to. Two particles nearer than `reach` (m) are of
@@ -12,7 +11,7 @@ pub fn fragments<const D: usize>(position: &[Vector<f64, D>], reach: f64) -> Vec
     let mut cells = Cells::new(reach);
     let mut parent: Vec<usize> = (0..position.len()).collect();
     for (i, x) in position.iter().enumerate() {
-        cells.near(x, |j| {
+        cells.near(x, |j, _| {
             let (a, b) = (root(&mut parent, i), root(&mut parent, j));
             parent[a.max(b)] = a.min(b);
         });
@@ -43,49 +42,9 @@ pub fn contacts<const D: usize>(
     }
     let mut count = 0;
     for x in other {
-        cells.near(x, |_| count += 1);
+        cells.near(x, |_, _| count += 1);
     }
     count
-}
-
-/// Points by the cell they lie in.
-struct Cells<const D: usize> {
-    reach: f64,
-    points: HashMap<[i64; D], Vec<(usize, Vector<f64, D>)>>,
-}
-
-impl<const D: usize> Cells<D> {
-    fn new(reach: f64) -> Self {
-        Self {
-            reach,
-            points: HashMap::new(),
-        }
-    }
-
-    fn cell(&self, x: &Vector<f64, D>) -> [i64; D] {
-        x.0.map(|x| (x / self.reach).floor() as i64)
-    }
-
-    fn add(&mut self, i: usize, x: Vector<f64, D>) {
-        let home = self.cell(&x);
-        self.points.entry(home).or_default().push((i, x));
-    }
-
-    /// Calls `found` with each point within reach of `x`.
-    fn near(&self, x: &Vector<f64, D>, mut found: impl FnMut(usize)) {
-        let home = self.cell(x);
-        for k in 0..3_usize.pow(D as u32) {
-            let mut there = home;
-            for (d, c) in there.iter_mut().enumerate() {
-                *c += (k / 3_usize.pow(d as u32) % 3) as i64 - 1;
-            }
-            for (j, y) in self.points.get(&there).into_iter().flatten() {
-                if (*y - *x).norm_squared() < self.reach * self.reach {
-                    found(*j);
-                }
-            }
-        }
-    }
 }
 
 fn root(parent: &mut [usize], mut i: usize) -> usize {

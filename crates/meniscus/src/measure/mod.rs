@@ -21,6 +21,7 @@
 //! - a fitted power law: [`PowerLaw`]
 
 mod bag;
+mod cells;
 mod circle;
 mod compression_energy;
 mod contact_angle;

@@ -1,8 +1,8 @@
 //! Which particles lie at a free surface.
 
-use std::collections::HashMap;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
+use super::cells::Cells;
 use crate::vector::Vector;
 
 /// How far neighbours are looked for, in spacings: no distance of a lattice.
@@ -64,30 +64,21 @@ pub fn surface_particles<const D: usize>(
             .collect();
         seen.extend(images);
     }
-    let cell = |x: &Vector<f64, D>| x.0.map(|c| (c / reach).floor() as i64);
-    let mut cells: HashMap<[i64; D], Vec<u32>> = HashMap::new();
-    for (i, x) in seen.iter().enumerate() {
-        cells.entry(cell(x)).or_default().push(i as u32);
+    let mut cells = Cells::new(reach);
+    for (i, &x) in seen.iter().enumerate() {
+        cells.add(i, x);
     }
     let mut arms = Vec::new();
     let sees_out = |i: &usize| {
         let x = positions[*i];
         arms.clear();
-        let home = cell(&x);
-        for mut step in 0..3_i64.pow(D as u32) {
-            let neighbour = home.map(|c| {
-                let there = c + step % 3 - 1;
-                step /= 3;
-                there
-            });
-            for &j in cells.get(&neighbour).into_iter().flatten() {
-                let arm = seen[j as usize] - x;
-                let distance = arm.norm();
-                if distance > 0.0 && distance < reach {
-                    arms.push((arm, distance));
-                }
+        cells.near(&x, |_, y| {
+            let arm = y - x;
+            let distance = arm.norm();
+            if distance > 0.0 {
+                arms.push((arm, distance));
             }
-        }
+        });
         let mut away = Vector::ZERO;
         for &(arm, distance) in &arms {
             away -= arm * ((1.0 - distance / reach) / distance);

@@ -26,6 +26,8 @@ pub(crate) struct Pull<const D: usize> {
     weights: Vec<f64>,
     normals: Vec<Vector<f64, D>>,
     sums: Vec<Pulled<f64, D>>,
+    /// Whether these are of all forces, with the particles where they are.
+    summed: bool,
     heads: Vec<(f64, f64)>,
 }
 
@@ -57,6 +59,7 @@ impl<const D: usize> Pull<D> {
             weights: Vec::new(),
             normals: Vec::new(),
             sums: Vec::new(),
+            summed: false,
             heads: Vec::new(),
         }
     }
@@ -157,10 +160,10 @@ impl<const D: usize> Pull<D> {
             ..self.term()
         };
         sweep.sweep(&term, particles, |_| true, &mut sums);
-        for (sum, &mass) in sums.iter_mut().zip(&particles.mass) {
-            sum.acceleration = sum.acceleration * self.model.share(mass);
-        }
+        // A wall's pressure and density change none of them.
+        self.summed = cohesion && !self.has_curvature();
         let term = Head {
+            model: self.model,
             charges: &self.charges,
             pulled: &sums,
         };
@@ -186,7 +189,9 @@ impl<const D: usize> Pull<D> {
         acceleration: &mut [Vector<f64, D>],
     ) {
         let mut sums = std::mem::take(&mut self.sums);
-        sweep.sweep(&self.term(), particles, |_| true, &mut sums);
+        if !std::mem::take(&mut self.summed) {
+            sweep.sweep(&self.term(), particles, |_| true, &mut sums);
+        }
         surface.force.clear();
         surface.virial_pressure.clear();
         for (row, sum) in sums.iter().enumerate() {

@@ -39,6 +39,7 @@ record! {
 /// Sums to sum_f rho_f a_f . x_wf W_wf, and sum_f W_wf.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Head<'a, const D: usize> {
+    pub model: Pairwise,
     pub charges: &'a [Charge],
     /// Of the forces that the wall is to balance.
     pub pulled: &'a [Pulled<f64, D>],
@@ -51,9 +52,10 @@ impl<const D: usize> PairTerm<D> for Head<'_, D> {
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Drawn<f64, D> {
         let is_fluid = self.charges[i].is_fluid;
+        let share = self.model.share(particles.mass[i]);
         Drawn {
             is_fluid,
-            force: self.pulled[i].acceleration * (is_fluid * particles.density[i]),
+            force: self.pulled[i].acceleration * share * (is_fluid * particles.density[i]),
         }
     }
 
