@@ -3,7 +3,7 @@
 
 use meniscus::fluid::Fluid;
 use meniscus::scheme::{Scheme, SurfaceTension, ViscosityForm};
-use meniscus::{Domain, Particle, Setup, Vector};
+use meniscus::{Domain, Particle, Setup, Simulation, Vector};
 
 /// Unit density, viscosity `viscosity`, tension `surface_tension`, sound speed 10.
 pub fn fluid(viscosity: f64, surface_tension: f64) -> Fluid {
@@ -113,4 +113,20 @@ pub fn free_drop<const D: usize>(spacing: f64, jitter: f64) -> Setup<D> {
         spacing,
         domain: Domain::default(),
     }
+}
+
+/// Ten steps; what the sizes of all impulses in them, and of their moments about the origin, add up to:
+/// the scale of what momentum may lose to rounding.
+pub fn ten_steps<const D: usize>(simulation: &mut Simulation<D>) -> (f64, f64) {
+    let (mut forces, mut torques) = (0.0, 0.0);
+    for _ in 0..10 {
+        simulation.step().expect("short of any disaster");
+        let p = simulation.particles();
+        for i in 0..p.len() {
+            let force = p.acceleration[i].norm() * p.mass[i] * simulation.next_step();
+            forces += force;
+            torques += force * p.position[i].norm();
+        }
+    }
+    (forces, torques)
 }

@@ -5,7 +5,7 @@ use meniscus::rates::{Dimension, Space};
 use meniscus::scheme::{PressureForm, TimeStep, ViscosityForm};
 use meniscus::{Domain, Particle, Setup, Simulation, Vector};
 
-use crate::common::{fluid, noise, scheme};
+use crate::common::{fluid, noise, scheme, ten_steps};
 use crate::wave::{K, strip};
 
 /// A block of two mixed fluids, of density 1 and 3, disordered in place and
@@ -58,16 +58,7 @@ where
         (linear, Vector(angular))
     };
     let before = totals(&simulation);
-    let (mut forces, mut torques) = (0.0, 0.0);
-    for _ in 0..10 {
-        simulation.step().expect("short of any disaster");
-        let p = simulation.particles();
-        for i in 0..p.len() {
-            let force = p.acceleration[i].norm() * p.mass[i] * simulation.next_step();
-            forces += force;
-            torques += force * p.position[i].norm();
-        }
-    }
+    let (forces, torques) = ten_steps(&mut simulation);
     let after = totals(&simulation);
     (
         (after.0 - before.0).norm() / forces,

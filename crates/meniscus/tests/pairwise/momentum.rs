@@ -8,7 +8,7 @@ use meniscus::rates::{Dimension, Space};
 use meniscus::scheme::{Adhesion, SurfaceTension, Wall};
 use meniscus::{Domain, Particle, Simulation, Vector};
 
-use crate::common::free_drop;
+use crate::common::{free_drop, ten_steps};
 use crate::{lennard_jones, soft};
 
 /// Of some hundred particles' sums, each of a hundred rounded terms.
@@ -23,16 +23,7 @@ where
     let mut setup = free_drop::<D>(if D == 2 { 0.1 } else { 0.25 }, 0.15);
     setup.scheme.surface_tension = Some(SurfaceTension::Pairwise(model));
     let mut simulation = Simulation::new(setup).expect("a sound setup");
-    let (mut forces, mut torques) = (0.0, 0.0);
-    for _ in 0..10 {
-        simulation.step().expect("short of any disaster");
-        let p = simulation.particles();
-        for i in 0..p.len() {
-            let force = p.acceleration[i].norm() * p.mass[i] * simulation.next_step();
-            forces += force;
-            torques += force * p.position[i].norm();
-        }
-    }
+    let (forces, torques) = ten_steps(&mut simulation);
     let p = simulation.particles();
     let linear = linear_momentum(&p.velocity, &p.mass).norm();
     let angular = angular_momentum(&p.position, &p.velocity, &p.mass, Vector::ZERO);
