@@ -10,7 +10,7 @@ use crate::scene::{Mark, Stroke};
 /// Least distance between arrows, pixels.
 const APART: f64 = 11.0;
 /// Length of the arrow of the fastest hundredth, pixels.
-const LONGEST: f64 = 20.0;
+const LONGEST: f64 = 14.0;
 /// Shorter ones, pixels, are left out.
 const SHORTEST: f64 = 1.5;
 const HEAD: f64 = 3.2;
