@@ -128,6 +128,7 @@ fn assemble(
             body_force: physics.body_force,
             velocity_smoothing: physics.velocity_smoothing,
             surface_tension: physics.surface_tension.filter(|_| any_tension),
+            van_der_waals: None,
             damping: physics.damping,
             walls: wall_schemes,
             integrator: physics.integrator,

@@ -30,6 +30,8 @@ pub enum Failure {
     NotFinite,
     /// Density over reference density left the bounds of [`SANE_DENSITY`].
     Density(f64),
+    /// The temperature, K, of a van der Waals fluid is not above zero.
+    Temperature(f64),
     /// The adaptive step, s, fell far below the acoustic limit, s.
     StepCollapsed {
         /// The step.
@@ -93,6 +95,9 @@ impl fmt::Display for Diverged {
                 "has {ratio:.3} times its reference density (sane: {} to {})",
                 SANE_DENSITY.start, SANE_DENSITY.end
             )?,
+            Failure::Temperature(temperature) => {
+                write!(f, "has a temperature of {temperature:.3e} K")?;
+            }
             Failure::StepCollapsed { step, acoustic } => write!(
                 f,
                 "forces a time step of {step:.3e} s, {:.0} times below h/c = {acoustic:.3e} s",
@@ -124,7 +129,9 @@ impl Diverged {
         if mach_number > 0.3 {
             advice.push("raise sound_speed to at least ten times the fastest flow: the flow is not slow against sound");
         }
-        if artificial_viscosity < 0.05 {
+        if let Failure::Temperature(_) = self.failure {
+            advice.push("conduct heat between pairs (conduction = \"brookshaw\"), with a conductivity above zero");
+        } else if artificial_viscosity < 0.05 {
             advice.push(
                 "raise artificial_viscosity to 0.05 or more: a free surface disorders without it",
             );
@@ -166,6 +173,9 @@ pub(crate) fn check<const D: usize>(
         + particles.acceleration[i].norm_squared();
     if !(sum.is_finite() && ratio.is_finite()) {
         Some(Failure::NotFinite)
+    } else if let Some(&temperature) = particles.temperature.get(i) {
+        // From liquid to vapour any density is sane.
+        (temperature.is_nan() || temperature <= 0.0).then_some(Failure::Temperature(temperature))
     } else if !SANE_DENSITY.contains(&ratio) {
         Some(Failure::Density(ratio))
     } else {
@@ -182,46 +192,18 @@ pub(crate) fn diagnose<const D: usize>(
     time: f64,
     i: usize,
 ) -> Culprit {
-    let (scheme, fluids) = (&rates.scheme, &rates.fluids[..]);
-    let whole = momentum(
-        scheme,
-        fluids,
-        rates.walls.material(fluids),
-        Some(scheme.pressure),
-    );
-    let none = Momentum {
-        pressure: None,
-        artificial_viscosity: 0.0,
-        viscosity: None,
-        ..whole
+    let parts = match &rates.van_der_waals {
+        Some(fluid) => {
+            let [stress, cohesion] = fluid.flow.parts(i);
+            let body_force = rates.body_force(time);
+            vec![
+                ("the stress", stress),
+                ("cohesion", cohesion),
+                ("the body force", body_force),
+            ]
+        }
+        None => parts_of_a_liquid(rates, particles, domain, time, i),
     };
-    let (kernel, h) = (rates.scheme.kernel, rates.scheme.smoothing_length);
-    let alone = |term: Momentum<Walled>| reference::sum(&term, kernel, h, domain, particles, i);
-    let parts = [
-        (
-            "the pressure gradient",
-            alone(Momentum {
-                pressure: whole.pressure,
-                ..none
-            }),
-        ),
-        (
-            "artificial viscosity",
-            alone(Momentum {
-                artificial_viscosity: whole.artificial_viscosity,
-                ..none
-            }),
-        ),
-        (
-            "laminar viscosity",
-            alone(Momentum {
-                viscosity: whole.viscosity,
-                ..none
-            }),
-        ),
-        ("surface tension", rates.surface_acceleration(particles, i)),
-        ("the body force", rates.body_force(time)),
-    ];
     let mut own_force = Vector::ZERO;
     if !rates.forces.is_empty() {
         own_force = particles.acceleration[i];
@@ -229,6 +211,7 @@ pub(crate) fn diagnose<const D: usize>(
             own_force -= *part;
         }
     }
+    let (kernel, h) = (rates.scheme.kernel, rates.scheme.smoothing_length);
     let rate: f64 = reference::sum(&Continuity, kernel, h, domain, particles, i);
     // A value that is not a number counts as the strongest.
     let strength = |a: &Vector<f64, D>| {
@@ -253,4 +236,54 @@ pub(crate) fn diagnose<const D: usize>(
         acceleration: a.norm(),
         compression_rate: rate,
     }
+}
+
+/// The parts of the acceleration, m/s^2, of a weakly compressible liquid.
+fn parts_of_a_liquid<const D: usize>(
+    rates: &Rates<D>,
+    particles: &Particles<D>,
+    domain: &Domain<D>,
+    time: f64,
+    i: usize,
+) -> Vec<(&'static str, Vector<f64, D>)> {
+    let (scheme, fluids) = (&rates.scheme, &rates.fluids[..]);
+    let whole = momentum(
+        scheme,
+        fluids,
+        rates.walls.material(fluids),
+        Some(scheme.pressure),
+    );
+    let none = Momentum {
+        pressure: None,
+        artificial_viscosity: 0.0,
+        viscosity: None,
+        ..whole
+    };
+    let (kernel, h) = (rates.scheme.kernel, rates.scheme.smoothing_length);
+    let alone = |term: Momentum<Walled>| reference::sum(&term, kernel, h, domain, particles, i);
+    vec![
+        (
+            "the pressure gradient",
+            alone(Momentum {
+                pressure: whole.pressure,
+                ..none
+            }),
+        ),
+        (
+            "artificial viscosity",
+            alone(Momentum {
+                artificial_viscosity: whole.artificial_viscosity,
+                ..none
+            }),
+        ),
+        (
+            "laminar viscosity",
+            alone(Momentum {
+                viscosity: whole.viscosity,
+                ..none
+            }),
+        ),
+        ("surface tension", rates.surface_acceleration(particles, i)),
+        ("the body force", rates.body_force(time)),
+    ]
 }

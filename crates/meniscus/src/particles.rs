@@ -16,6 +16,12 @@ pub struct Particles<const D: usize> {
     pub density: Vec<f64>,
     /// Pressure, Pa
     pub pressure: Vec<f64>,
+    /// Temperature, K; empty but for a van der Waals fluid
+    pub temperature: Vec<f64>,
+    /// Its rate, K/s; empty likewise
+    pub heating: Vec<f64>,
+    /// The rate of that by the acceleration alone, K/s^2; empty likewise
+    pub heating_gain: Vec<f64>,
     /// Mass, kg (kg/m in 2D)
     pub mass: Vec<f64>,
     /// Index of the fluid
@@ -50,6 +56,9 @@ impl<const D: usize> Particles<D> {
             acceleration: vec![Vector::ZERO; start.len()],
             density: vec![0.0; start.len()],
             pressure: vec![0.0; start.len()],
+            temperature: Vec::new(),
+            heating: Vec::new(),
+            heating_gain: Vec::new(),
             mass: start.iter().map(|p| p.mass).collect(),
             fluid: start.iter().map(|p| p.fluid).collect(),
             body: start.iter().map(|p| p.body).collect(),
@@ -92,8 +101,17 @@ impl<const D: usize> Particles<D> {
         ] {
             gather(column, &mut scratch.vectors, order);
         }
-        for column in [&mut self.density, &mut self.pressure, &mut self.mass] {
-            gather(column, &mut scratch.scalars, order);
+        for column in [
+            &mut self.density,
+            &mut self.pressure,
+            &mut self.temperature,
+            &mut self.heating,
+            &mut self.heating_gain,
+            &mut self.mass,
+        ] {
+            if !column.is_empty() {
+                gather(column, &mut scratch.scalars, order);
+            }
         }
         for column in [&mut self.fluid, &mut self.body] {
             gather(column, &mut scratch.indices, order);

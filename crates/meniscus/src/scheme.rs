@@ -7,6 +7,7 @@ pub use crate::physics::body_force::BodyForce;
 pub use crate::physics::density_diffusion::{DensityDiffusion, DiffusionForm};
 pub use crate::physics::momentum::PressureForm;
 pub use crate::physics::surface_tension::SurfaceTension;
+pub use crate::physics::van_der_waals::{Conduction, Substance, VanDerWaals};
 pub use crate::physics::viscosity::ViscosityForm;
 pub use crate::physics::wall::{Adhesion, Bearing, Motion, Slip, Wall};
 
@@ -64,6 +65,9 @@ pub struct Scheme {
     pub velocity_smoothing: f64,
     /// Model of surface tension, if any; acts where a fluid's surface tension is not zero.
     pub surface_tension: Option<SurfaceTension>,
+    /// Equation of state, cohesion and heat of a van der Waals fluid, if it is one; in place of
+    /// Tait's equation, of a model of surface tension and of the forms of pressure and viscosity.
+    pub van_der_waals: Option<VanDerWaals>,
     /// Rate k of a drag -k v that brings a flow to rest, 1/s; zero for none.
     pub damping: f64,
     /// Walls: bodies that are not fluid. Their particles need no density, pressure or velocity.
@@ -91,11 +95,25 @@ impl Scheme {
             body_force: None,
             velocity_smoothing: 0.0,
             surface_tension: None,
+            van_der_waals: None,
             damping: 0.0,
             walls: Vec::new(),
             integrator: Integrator::Symplectic,
             time_step: TimeStep::Adaptive { safety: 1.0 },
             precision: Precision::Double,
+        }
+    }
+
+    /// A van der Waals fluid: Lucy's kernel with this support, m, density by summation, no
+    /// artificial viscosity.
+    pub fn van_der_waals(support: f64, model: VanDerWaals) -> Self {
+        Self {
+            kernel: Kernel::LucyQuartic,
+            density: DensityForm::Summation,
+            artificial_viscosity: 0.0,
+            viscosity: ViscosityForm::Stress,
+            van_der_waals: Some(model),
+            ..Self::new(support)
         }
     }
 }

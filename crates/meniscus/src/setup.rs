@@ -1,5 +1,7 @@
 //! What a simulation starts from, and whether it can.
 
+mod van_der_waals;
+
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -13,6 +15,7 @@ use crate::physics::surface_tension::pairwise::akinci::Akinci;
 use crate::physics::surface_tension::pairwise::lennard_jones::LennardJones;
 use crate::physics::wall::Adhesion;
 use crate::scheme::{DensityDiffusion, DensityForm, Scheme, TimeStep};
+pub(crate) use van_der_waals::check_density;
 
 /// Spacings that the kernel must reach for the colour of a surface to fall off over more than
 /// one layer of particles.
@@ -134,6 +137,7 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
         }
     }
     validate_pairwise(setup)?;
+    van_der_waals::validate(setup)?;
     for (name, value) in at_least_zero {
         if !(value >= 0.0 && value.is_finite()) {
             return complain(format!(

@@ -7,9 +7,10 @@ use crate::fluid::Fluid;
 use crate::pairs::{Domain, Instructions, Pairs};
 use crate::particles::Particles;
 use crate::physics::surface_tension::jancik_hyhlik::Surface;
+use crate::physics::van_der_waals::Flow;
 use crate::rates::{Dimension, Force, PairForce, ROWS_PER_TASK, Rates, Space, Table};
 use crate::scheme::{DensityForm, Scheme, TimeStep};
-use crate::setup::{Setup, SetupError, validate};
+use crate::setup::{Setup, SetupError, check_density, validate};
 use crate::snapshot::Snapshot;
 use crate::term::{PairTerm, Sweep};
 use crate::time::integrator::{drift, kick, kick_drift};
@@ -68,7 +69,11 @@ impl<const D: usize> Simulation<D> {
                 0.0,
             );
         }
-        simulation.rates.update_pressure(&mut simulation.particles);
+        if let Some(model) = &simulation.rates.scheme.van_der_waals {
+            check_density(model, &simulation.particles)?;
+        } else {
+            simulation.rates.update_pressure(&mut simulation.particles);
+        }
         (simulation.table.accelerate)(&mut simulation.rates, &mut simulation.particles, 0.0);
         simulation.work.push(simulation.rates.walls.power(), 0.0);
         simulation.choose_step();
@@ -102,6 +107,11 @@ impl<const D: usize> Simulation<D> {
         pairs.set_precision(scheme.precision);
         let support = scheme.kernel.support() * scheme.smoothing_length;
         let limits = StepLimits::new(&fluids, scheme.smoothing_length, support, 0.0, 0.0);
+        if let Some(model) = &scheme.van_der_waals {
+            particles.temperature = vec![model.temperature; particles.len()];
+            particles.heating = vec![0.0; particles.len()];
+            particles.heating_gain = vec![0.0; particles.len()];
+        }
         Ok(Self {
             rates: Rates::new(scheme, fluids, &particles, pairs),
             particles,
@@ -198,14 +208,23 @@ impl<const D: usize> Simulation<D> {
         };
         self.largest_speed = largest(&self.particles.velocity);
         let largest_acceleration = largest(&self.particles.acceleration);
-        self.limits = StepLimits::new(
+        let support = scheme.kernel.support() * scheme.smoothing_length;
+        let limits = StepLimits::new(
             &self.rates.fluids,
             scheme.smoothing_length,
-            scheme.kernel.support() * scheme.smoothing_length,
+            support,
             self.largest_speed,
             largest_acceleration,
         )
         .with_stiffness(self.rates.stiffness(largest_acceleration));
+        self.limits = match &self.rates.van_der_waals {
+            Some(fluid) => limits.with_van_der_waals(
+                fluid.flow.stiffness(&self.particles),
+                support,
+                self.largest_speed,
+            ),
+            None => limits,
+        };
         self.next_step = match scheme.time_step {
             TimeStep::Fixed(dt) => dt,
             TimeStep::Adaptive { safety } => safety * self.limits.governing().1,
@@ -312,6 +331,11 @@ impl<const D: usize> Simulation<D> {
     /// What the surface-tension model found in the last step; empty columns without one.
     pub fn surface(&self) -> &Surface<D> {
         &self.rates.surface
+    }
+
+    /// What is known of a van der Waals fluid, if this is one.
+    pub fn van_der_waals(&self) -> Option<&Flow<D>> {
+        (self.rates.van_der_waals.as_ref()).map(|fluid| &fluid.flow)
     }
 
     /// Time, s.

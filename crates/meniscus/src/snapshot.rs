@@ -34,6 +34,12 @@ pub struct Snapshot {
     pub acceleration: Vec<f64>,
     /// Densities, kg/m^3.
     pub density: Vec<f64>,
+    /// Temperatures of a van der Waals fluid, K; otherwise empty.
+    pub temperature: Vec<f64>,
+    /// Their rates, K/s.
+    pub heating: Vec<f64>,
+    /// Their rates by acceleration, K/s^2.
+    pub heating_gain: Vec<f64>,
     /// Number of the particle in each row.
     pub id: Vec<u32>,
 }
@@ -53,6 +59,9 @@ impl Snapshot {
             velocity: flatten(&particles.velocity),
             acceleration: flatten(&particles.acceleration),
             density: particles.density.clone(),
+            temperature: particles.temperature.clone(),
+            heating: particles.heating.clone(),
+            heating_gain: particles.heating_gain.clone(),
             id: particles.id.clone(),
         }
     }
@@ -75,6 +84,11 @@ impl<const D: usize> Simulation<D> {
             && snapshot.id.iter().all(|&id| {
                 (seen.get_mut(id as usize)).is_some_and(|seen| !std::mem::replace(seen, true))
             });
+        let heat = [
+            &snapshot.temperature,
+            &snapshot.heating,
+            &snapshot.heating_gain,
+        ];
         let vectors = [
             &snapshot.position,
             &snapshot.reference,
@@ -84,6 +98,9 @@ impl<const D: usize> Simulation<D> {
         if snapshot.dimension as usize != D
             || !is_permutation
             || snapshot.density.len() != rows
+            || heat
+                .iter()
+                .any(|column| column.len() != particles.temperature.len())
             || vectors.iter().any(|column| column.len() != rows * D)
         {
             return Err(SetupError(format!(
@@ -97,6 +114,9 @@ impl<const D: usize> Simulation<D> {
         particles.velocity = unflatten(&snapshot.velocity);
         particles.acceleration = unflatten(&snapshot.acceleration);
         particles.density.copy_from_slice(&snapshot.density);
+        particles.temperature.copy_from_slice(&snapshot.temperature);
+        particles.heating.copy_from_slice(&snapshot.heating);
+        (particles.heating_gain).copy_from_slice(&snapshot.heating_gain);
         simulation.rates.pairs.set_skin(snapshot.skin);
         if !simulation
             .rates
@@ -107,7 +127,17 @@ impl<const D: usize> Simulation<D> {
                 "the saved state is not in the order that this version sorts in".into(),
             ));
         }
-        simulation.rates.update_pressure(&mut simulation.particles);
+        if simulation.rates.scheme.van_der_waals.is_some() {
+            // Of the same places, so the same density as saved, and what else follows from places.
+            (simulation.table.advance_density)(
+                &mut simulation.rates,
+                &mut simulation.particles,
+                snapshot.time,
+                0.0,
+            );
+        } else {
+            simulation.rates.update_pressure(&mut simulation.particles);
+        }
         simulation.time = snapshot.time;
         simulation.rates.walls.resume(snapshot.time);
         simulation.steps = snapshot.steps;

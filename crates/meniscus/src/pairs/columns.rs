@@ -36,6 +36,11 @@ pub(crate) struct Columns<const D: usize> {
 }
 
 impl<const D: usize> Columns<D> {
+    /// Empty, of cells as wide.
+    pub(crate) fn like(&self) -> Self {
+        Self::new(self.preferred_width)
+    }
+
     pub(crate) fn new(preferred_width: f64) -> Self {
         Self {
             preferred_width,

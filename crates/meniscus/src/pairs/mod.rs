@@ -122,6 +122,26 @@ impl<const D: usize> Pairs<D> {
         }
     }
 
+    /// An engine for the same particles with another smoothing length, m, which
+    /// [`follow`](Self::follow)s this one.
+    pub(crate) fn with_range(&self, smoothing_length: f64) -> Self {
+        Self {
+            level: self.level,
+            precision: self.precision,
+            columns: self.columns.like(),
+            image_columns: self.columns.like(),
+            ..Self::new(self.kernel, smoothing_length, 1.0, self.skin, self.domain)
+        }
+    }
+
+    /// Lists the particles as `other` last sorted them, with the same skin.
+    pub(crate) fn follow(&mut self, other: &Self) {
+        self.skin = other.skin;
+        self.level = other.level;
+        let sorted = self.restore(&other.reference);
+        debug_assert!(sorted, "the other's columns are as wide");
+    }
+
     /// Periodic axes.
     pub(crate) fn domain(&self) -> Domain<D> {
         self.domain

@@ -8,6 +8,7 @@
 //! - [`body_force`]: gravity and shaken frames
 //! - [`velocity_smoothing`]: motion smoothed by XSPH
 //! - [`surface_tension`]: one file per model
+//! - [`van_der_waals`]: a fluid whose cohesion is its surface tension
 //! - [`wall`]: solid walls of dummy particles
 
 pub mod body_force;
@@ -17,6 +18,7 @@ pub mod equation_of_state;
 pub mod momentum;
 pub mod summation;
 pub mod surface_tension;
+pub mod van_der_waals;
 pub mod velocity_smoothing;
 pub mod viscosity;
 pub mod viscous_stress;

@@ -41,6 +41,9 @@ impl<const D: usize> Rates<D> {
             }
         }
         self.update_pressure(particles);
+        if let Some(fluid) = &mut self.van_der_waals {
+            fluid.prepare(&self.pairs, particles, dt);
+        }
     }
 
     /// Adds diffusion to the rates of density at `time` seconds.

@@ -3,6 +3,7 @@
 //! - here: what they need, and the order of forces
 //! - `density`: density and pressure
 //! - `surface`: forces by surface tension
+//! - `van_der_waals`: a fluid of its own
 //! - `force`: those of the user's own
 //! - `dimension`: that they are compiled once, for 2 and 3 dimensions
 
@@ -10,6 +11,7 @@ mod density;
 mod dimension;
 mod force;
 mod surface;
+mod van_der_waals;
 
 pub use dimension::{Dimension, Space, Table};
 pub use force::Force;
@@ -34,6 +36,7 @@ use crate::scheme::Scheme;
 use crate::term::Sweep;
 use crate::vector::Vector;
 use crate::walls::Walls;
+use van_der_waals::Cohesive;
 
 /// Rows that one task works on at least, where the work per row is small.
 pub(crate) const ROWS_PER_TASK: usize = 2048;
@@ -50,6 +53,7 @@ pub(crate) struct Rates<const D: usize> {
     bearing: Vec<usize>,
     viscous_stress: ViscousStress<D>,
     diffusing: Diffusing<D>,
+    pub(crate) van_der_waals: Option<Cohesive<D>>,
     /// For the particles at the surface alone.
     at_surface: Pairs<D>,
     pub(crate) forces: Vec<Box<dyn Force<D>>>,
@@ -80,6 +84,8 @@ impl<const D: usize> Rates<D> {
             spacing,
             pairs.domain(),
         );
+        let van_der_waals =
+            (scheme.van_der_waals).map(|model| Cohesive::new(model, &scheme, &fluids, &pairs));
         let pull = match scheme.surface_tension {
             Some(SurfaceTension::Pairwise(model)) => {
                 let resolution = Resolution {
@@ -99,6 +105,7 @@ impl<const D: usize> Rates<D> {
             bearing: Vec::new(),
             viscous_stress: ViscousStress::default(),
             diffusing: Diffusing::default(),
+            van_der_waals,
             equations_of_state: fluids.iter().map(Tait::new).collect(),
             walls: Walls::new(&scheme.walls, particles),
             one_mass: first.filter(|_| same && fluids.len() == 1),
@@ -130,9 +137,14 @@ impl<const D: usize> Rates<D> {
         );
         self.press_walls(particles);
         let mut acceleration = std::mem::take(&mut particles.acceleration);
-        self.push(particles, &mut acceleration);
+        if let Some(fluid) = &mut self.van_der_waals {
+            (fluid.flow).accelerate(&mut self.pairs, particles, &mut acceleration);
+        } else {
+            self.push(particles, &mut acceleration);
+        }
         self.walls.bear(particles, &mut acceleration);
-        if self.scheme.viscosity == ViscosityForm::Stress && is_viscous(&self.fluids) {
+        let stress = self.scheme.viscosity == ViscosityForm::Stress;
+        if stress && self.van_der_waals.is_none() && is_viscous(&self.fluids) {
             self.walls
                 .hide(particles, |wall| wall.slip == Slip::FreeSlip);
             self.viscous_stress.accelerate(
@@ -162,6 +174,9 @@ impl<const D: usize> Rates<D> {
         self.walls.bear(particles, &mut acceleration);
         self.walls
             .finish(particles, &mut acceleration, self.scheme.damping);
+        if let Some(fluid) = &mut self.van_der_waals {
+            (fluid.flow).heat(&mut self.pairs, particles, &acceleration);
+        }
         particles.acceleration = acceleration;
     }
 

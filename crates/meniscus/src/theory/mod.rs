@@ -15,6 +15,7 @@ mod laplace;
 mod meniscus;
 mod oscillation;
 mod two_fluid_oscillation;
+mod van_der_waals;
 mod viscous_oscillation;
 
 pub use artificial_viscosity::artificial_kinematic_viscosity;
@@ -28,4 +29,7 @@ pub use laplace::{pressure_jump, surface_tension_from_pressure};
 pub use meniscus::{PlateMeniscus, jurin_rise, meniscus_height, meniscus_rise, puddle_height};
 pub use oscillation::{angular_frequency, surface_tension_from_frequency};
 pub use two_fluid_oscillation::{Medium, immersed_angular_frequency, two_fluid_oscillation};
+pub use van_der_waals::{
+    Coexistence, coexistence, reduced_pressure, spinodal, step_surface_tension,
+};
 pub use viscous_oscillation::{ViscousOscillation, lamb_damping_rate, viscous_oscillation};

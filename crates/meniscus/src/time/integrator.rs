@@ -19,6 +19,9 @@
 //! volumes V of step 3 are those before it, which leaves dt times the square of
 //! the rate of density, times (h / wavelength)^2: nothing in a weakly compressible
 //! flow. A drag -k v is applied exactly, as a factor exp(-k dt/2) to either half.
+//!
+//! The temperature of a van der Waals fluid is kicked with the velocity; there step 5 works with
+//! velocity and temperature foretold for the end of the step ([`crate::physics::van_der_waals::flow`]).
 
 use rayon::prelude::*;
 
@@ -39,6 +42,16 @@ pub(crate) fn kick_drift<const D: usize>(particles: &mut Particles<D>, dt: f64, 
             *v = (*v + *a * (0.5 * dt)) * decay;
             *x += *v * (0.5 * dt);
         });
+    heat(particles, dt, 0.25 * dt);
+}
+
+/// Half a step's heat, with either kick, of a velocity which acceleration has changed for `lead` seconds
+/// on the average.
+fn heat<const D: usize>(particles: &mut Particles<D>, dt: f64, lead: f64) {
+    let rates = particles.heating.iter().zip(&particles.heating_gain);
+    for (temperature, (rate, gain)) in particles.temperature.iter_mut().zip(rates) {
+        *temperature += 0.5 * dt * (rate + lead * gain);
+    }
 }
 
 /// Step 4.
@@ -56,4 +69,5 @@ pub(crate) fn kick<const D: usize>(particles: &mut Particles<D>, dt: f64, dampin
         .into_par_iter()
         .with_min_len(ROWS_PER_TASK)
         .for_each(|(v, a)| *v = *v * decay + *a * (0.5 * dt));
+    heat(particles, dt, -0.25 * dt);
 }

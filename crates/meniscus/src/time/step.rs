@@ -6,9 +6,10 @@
 //! - viscous:   0.125 h^2 / nu
 //! - capillary: 0.25 sqrt(rho h^3 / (2 pi sigma))
 //! - pairwise:  0.5 / omega
+//! - thermal:   0.03 s^2 / chi
 //!
 //! where omega is the frequency of particles that swing by stiff forces of pairs (Lennard-Jones);
-//! a leapfrog bears 2 / omega. Force, viscous and capillary as in Morris (2000), Int. J. Numer. Meth. Fluids 33, 333.
+//! a leapfrog bears 2 / omega; and chi = kappa / (rho c_v). Force, viscous and capillary as in Morris (2000), Int. J. Numer. Meth. Fluids 33, 333.
 //! The first is stated by the support, since kernels of different support
 //! differ in h at the same resolution: 0.3 h / c for a support of 3 h, 0.2 h / c
 //! for 2 h.
@@ -16,6 +17,7 @@
 use std::fmt;
 
 use crate::fluid::Fluid;
+use crate::physics::van_der_waals::flow::Stiffness;
 
 /// The largest step that each effect allows, s; infinite where it is absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,6 +32,8 @@ pub struct StepLimits {
     pub capillary: f64,
     /// Stiff forces between pairs.
     pub pairwise: f64,
+    /// Diffusion of heat.
+    pub thermal: f64,
 }
 
 /// An effect that limits the step.
@@ -45,6 +49,8 @@ pub enum Limit {
     Capillary,
     /// Stiff forces between pairs.
     Pairwise,
+    /// Conduction of heat.
+    Thermal,
 }
 
 impl fmt::Display for Limit {
@@ -55,6 +61,7 @@ impl fmt::Display for Limit {
             Limit::Viscous => "viscous",
             Limit::Capillary => "capillary",
             Limit::Pairwise => "pairwise",
+            Limit::Thermal => "thermal",
         })
     }
 }
@@ -80,6 +87,25 @@ impl StepLimits {
                 0.25 * (fluid.density * h.powi(3) / period).sqrt()
             }),
             pairwise: f64::INFINITY,
+            thermal: f64::INFINITY,
+        }
+    }
+
+    /// The same for a van der Waals fluid, whose density and temperature set the speed of sound
+    /// and what diffuses; of the support, m, and the largest speed of the flow, m/s.
+    pub fn with_van_der_waals(
+        self,
+        stiffness: Stiffness,
+        support: f64,
+        largest_speed: f64,
+    ) -> Self {
+        // 0.125 h^2 where the support is 2 h.
+        let square = 0.125 * (0.5 * support).powi(2);
+        Self {
+            acoustic: 0.1 * support / (stiffness.sound_speed + largest_speed),
+            viscous: square / stiffness.viscous_diffusivity,
+            thermal: square / stiffness.thermal_diffusivity,
+            ..self
         }
     }
 
@@ -92,13 +118,14 @@ impl StepLimits {
     }
 
     /// Each limit by name.
-    pub fn all(&self) -> [(Limit, f64); 5] {
+    pub fn all(&self) -> [(Limit, f64); 6] {
         [
             (Limit::Acoustic, self.acoustic),
             (Limit::Force, self.force),
             (Limit::Viscous, self.viscous),
             (Limit::Capillary, self.capillary),
             (Limit::Pairwise, self.pairwise),
+            (Limit::Thermal, self.thermal),
         ]
     }
 
