@@ -25,13 +25,12 @@ pub fn rewrite(root: &Path, voice: Voice) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Measures a run from its files, writes its report and figures, and what was
-/// found into its record.
-pub fn write_report(
+/// Measures a run from its files, and writes what was found into its record.
+pub fn measure(
     case: &Case,
     folder: &RunFolder,
     record: &mut RunRecord,
-) -> Result<Findings, Failure> {
+) -> Result<(Findings, Series), Failure> {
     let series = Series::read(&folder.series_file())?;
     // A run that was killed came further than its record tells.
     let last = series.column("time").and_then(<[f64]>::last);
@@ -40,6 +39,17 @@ pub fn write_report(
     }
     let measured = findings::measure(case, &series);
     record.findings = measured.numbers.clone();
+    folder.write_run(record)?;
+    Ok((measured, series))
+}
+
+/// Measures a run from its files, and writes its report and figures.
+pub fn write_report(
+    case: &Case,
+    folder: &RunFolder,
+    record: &mut RunRecord,
+) -> Result<Findings, Failure> {
+    let (measured, series) = measure(case, folder, record)?;
     let report = page::build(case, folder, record, &series, &measured)?;
     let broken = |error| Failure::new(format!("cannot draw a figure: {error}"));
     for figure in report.figures() {
@@ -52,7 +62,6 @@ pub fn write_report(
         folder.write_figure(&format!("{}.png", movie.name()), &png)?;
     }
     folder.write_report(&report.html().map_err(broken)?)?;
-    folder.write_run(record)?;
     Ok(measured)
 }
 

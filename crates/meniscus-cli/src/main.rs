@@ -4,6 +4,7 @@
 //!   of a run; `due` says when, `interrupt` when to stop, `record` how it stands
 //! - `conclude` (`report`): what was found (`findings`, beside what is
 //!   `expected`), on the terminal, in the report's `page` and `figures`
+//! - `appraise`: every model of surface tension through one suite of tests; `batch`: many cases side by side
 //! - `bench`: what the engine costs on this machine
 //! - `check`: what a case is, without running it; `numbers` that tell of it
 //! - `reproduce`: the numbers of a paper beside ours, with a `verdict`
@@ -12,6 +13,8 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+mod appraise;
+mod batch;
 mod bench;
 mod check;
 mod conclude;
@@ -93,6 +96,13 @@ enum Command {
         #[command(flatten)]
         place: Place,
     },
+    /// Compare all models of surface tension by one suite of tests.
+    Appraise {
+        #[command(flatten)]
+        what: appraise::What,
+        #[command(flatten)]
+        place: Place,
+    },
     /// Measure what the pair engine costs here, beside what the machine can do.
     Bench {
         #[command(flatten)]
@@ -110,7 +120,7 @@ enum Command {
 /// Where results go.
 #[derive(Args, Clone)]
 struct Place {
-    /// Folder of the results; by default out/CASE, or out/reproduce/PAPER.
+    /// Folder of the results; by default out/CASE, out/reproduce/PAPER, or out/appraise.
     #[arg(long)]
     out: Option<PathBuf>,
     /// Replace the results of an earlier run in that folder.
@@ -145,6 +155,9 @@ fn dispatch(program: &Program) -> Result<ExitCode, Failure> {
         Command::Report { folder } => conclude::rewrite(folder, voice),
         Command::Reproduce { paper, json, place } => {
             reproduce::reproduce(paper, *json, place.out.as_deref(), place.force, voice)
+        }
+        Command::Appraise { what, place } => {
+            appraise::appraise(what, place.out.as_deref(), place.force, voice)
         }
         Command::Bench { what } => bench::bench(what, voice),
         Command::New { name } => starter::write(name, voice),

@@ -3,22 +3,17 @@
 //! The paper's folder holds `reproduction.toml`: what to print, from which
 //! case, and what the paper and theory say.
 
-use std::collections::{BTreeMap, VecDeque};
 use std::path::Path;
 use std::process::ExitCode;
-use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use meniscus_case::Case;
-use meniscus_output::RunFolder;
 use serde::Deserialize;
 
-use crate::conclude::write_report;
+use crate::batch::{self, Job, Pages};
 use crate::convergence::Convergence;
 use crate::failure::{Failure, NOT_REPRODUCED};
-use crate::findings::Finding;
 use crate::progress::duration;
-use crate::record::Status;
 use crate::regression::Regression;
 use crate::terminal::{Voice, answer, complain};
 use crate::verdict::{Row, Verdict, rows_as_table};
@@ -87,9 +82,6 @@ impl Number {
     }
 }
 
-/// What a case gave, or why it gave nothing.
-type Outcome = Result<Vec<Finding>, String>;
-
 /// Runs all cases of `paper`, several at a time.
 ///
 /// A case that fails costs its own numbers only.
@@ -118,7 +110,7 @@ pub fn reproduce(
         true => complain(line),
         false => voice.say(line),
     };
-    let outcomes = run_all(jobs, &tell);
+    let outcomes = batch::run_all(jobs, Pages::Written, &tell);
     let (mut rows, mut problems) = (Vec::new(), Vec::new());
     let mut values = Vec::new();
     for number in &plan.number {
@@ -135,8 +127,14 @@ pub fn reproduce(
     }
     for group in &plan.regression {
         let finding = |case: &str, id: &str| {
-            let findings = outcomes.get(case)?.as_ref().ok()?;
-            Some(findings.iter().find(|found| found.id == id)?.computed)
+            let outcome = outcomes.get(case)?.as_ref().ok()?;
+            Some(
+                outcome
+                    .findings
+                    .iter()
+                    .find(|found| found.id == id)?
+                    .computed,
+            )
         };
         match group.judge(&values, finding) {
             Ok((number, value)) => rows.push(Row::judge(&number, value.map(|y| (y, None)))),
@@ -171,102 +169,26 @@ pub fn reproduce(
     })
 }
 
-/// A case to run, under its file's name, with its folder.
-struct Job {
-    name: String,
-    case: Case,
-    folder: RunFolder,
-}
-
-/// All cases, the costliest first, each with its folder: nothing runs before
-/// every case is read and every folder is free. What may not be as meant in a
-/// case stands in its report; a paper means it so.
-fn claim(
-    plan: &Reproduction,
-    paper: &Path,
-    root: &Path,
-    force: bool,
-) -> Result<VecDeque<Job>, Failure> {
-    let mut cases: Vec<(&str, Case)> = Vec::new();
+/// All cases, each with its folder: nothing runs before every case is read and every folder is
+/// free. What may not be as meant in a case stands in its report; a paper means it so.
+fn claim(plan: &Reproduction, paper: &Path, root: &Path, force: bool) -> Result<Vec<Job>, Failure> {
+    let mut jobs: Vec<Job> = Vec::new();
     for number in &plan.number {
-        if cases.iter().all(|(name, _)| *name != number.case) {
+        if jobs.iter().all(|job| job.name != number.case) {
             let case = Case::from_file(&paper.join(&number.case))?;
-            cases.push((&number.case, case));
+            jobs.push(Job::claim(&number.case, case, root, force)?);
         }
     }
-    // The longest first, so that none is left over alone at the end.
-    let cost = |case: &Case| case.particle_count() as f64 * case.end_time;
-    cases.sort_by(|a, b| cost(&b.1).total_cmp(&cost(&a.1)));
-    cases
-        .into_iter()
-        .map(|(name, case)| {
-            Ok(Job {
-                folder: RunFolder::create(&root.join(&case.name), case.to_toml(), force)?,
-                name: name.to_owned(),
-                case,
-            })
-        })
-        .collect()
-}
-
-/// Runs the jobs side by side, the threads of this pool shared out among them.
-fn run_all(jobs: VecDeque<Job>, tell: &(dyn Fn(&str) + Sync)) -> BTreeMap<String, Outcome> {
-    let threads = rayon::current_num_threads();
-    let workers = threads.min(jobs.len()).max(1);
-    let queue = Mutex::new(jobs);
-    let outcomes = Mutex::new(BTreeMap::new());
-    std::thread::scope(|scope| {
-        for worker in 0..workers {
-            let share = threads / workers + usize::from(worker < threads % workers);
-            let (queue, outcomes) = (&queue, &outcomes);
-            scope.spawn(move || {
-                loop {
-                    let next = queue
-                        .lock()
-                        .unwrap_or_else(PoisonError::into_inner)
-                        .pop_front();
-                    let Some(job) = next else { break };
-                    let outcome = run_one(&job, share, tell);
-                    let mut all = outcomes.lock().unwrap_or_else(PoisonError::into_inner);
-                    all.insert(job.name, outcome);
-                }
-            });
-        }
-    });
-    outcomes
-        .into_inner()
-        .unwrap_or_else(PoisonError::into_inner)
-}
-
-fn run_one(job: &Job, threads: usize, tell: &(dyn Fn(&str) + Sync)) -> Outcome {
-    if interrupt::asked() {
-        return Err(format!("{}: not run", job.case.name));
-    }
-    let silent = Voice {
-        quiet: true,
-        verbose: false,
-    };
-    let run = || -> Result<Vec<Finding>, Failure> {
-        let mut record = runner::start(&job.case, &job.folder, silent)?;
-        let measured = write_report(&job.case, &job.folder, &mut record)?;
-        if record.status != Status::Complete {
-            return Err(Failure::new("interrupted".into()));
-        }
-        tell(&format!("{}: {}", job.case.name, record.speed()));
-        Ok(measured.numbers)
-    };
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|error| Failure::new(format!("cannot start threads: {error}")))
-        .and_then(|pool| pool.install(run))
-        .map_err(|failure| format!("{}: {}", job.case.name, failure.message()))
+    Ok(jobs)
 }
 
 /// The number that a case found for a line of the table, and its uncertainty.
-fn value_of(number: &Number, outcome: Option<&Outcome>) -> Result<(f64, Option<f64>), String> {
+fn value_of(
+    number: &Number,
+    outcome: Option<&batch::Outcome>,
+) -> Result<(f64, Option<f64>), String> {
     let findings = match outcome {
-        Some(Ok(findings)) => findings,
+        Some(Ok(outcome)) => &outcome.findings,
         Some(Err(reason)) => return Err(format!("{}: no value: {reason}", number.id)),
         None => return Err(format!("{}: {} was not run", number.id, number.case)),
     };

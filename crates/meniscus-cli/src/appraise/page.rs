@@ -1,0 +1,292 @@
+//! The comparison as a page of Markdown.
+
+use std::fmt::Write as _;
+
+use meniscus_report::number::significant;
+
+use super::cost::Cost;
+use super::score::{Cell, Score, order};
+
+/// Everything that the page tells.
+pub struct Page<'a> {
+    /// The command that made it.
+    pub command: &'a str,
+    /// All numbers.
+    pub scores: &'a [Score],
+    /// What steps cost.
+    pub costs: &'a [Cost],
+    /// Files and captions of figures.
+    pub figures: &'a [(String, String)],
+}
+
+/// What flows ask for, and the number that tells.
+const FLOWS: [(&str, &str, &str); 4] = [
+    ("pressure in a drop at rest", "laplace", "pressure"),
+    ("a drop that swings", "swing", "frequency"),
+    ("a drop on a wall", "cap", "contact angle"),
+    (
+        "a drop at rest that must stay at rest",
+        "parasitic currents",
+        "speed",
+    ),
+];
+
+/// Items under their keys, in the order in which keys first appear.
+pub fn groups<T: Copy, K: PartialEq>(
+    items: impl Iterator<Item = T>,
+    key: impl Fn(T) -> K,
+) -> Vec<(K, Vec<T>)> {
+    let mut found: Vec<(K, Vec<T>)> = Vec::new();
+    for item in items {
+        let k = key(item);
+        match found.iter_mut().find(|(known, _)| *known == k) {
+            Some((_, group)) => group.push(item),
+            None => found.push((k, vec![item])),
+        }
+    }
+    found
+}
+
+impl Page<'_> {
+    /// The page.
+    pub fn markdown(&self) -> String {
+        let mut page = format!(
+            "# Accuracy of the models\n\nMade by `{}`, version {}.\n\n\
+             Every model runs with the settings that a user gets who names it in a case file, in flows whose \
+             density, surface tension and radius are one; each run is a case file under `runs/`. Zero is right \
+             in all tables. A number is the worst of all starts: a lattice, the lattice turned, and lattices \
+             jittered by up to a tenth of a spacing. In bold: below the bar that the project sets itself.\n",
+            self.command,
+            env!("CARGO_PKG_VERSION"),
+        );
+        page += &self.advice();
+        for (test, of_test) in groups(self.scores.iter(), |score| score.test) {
+            let _ = write!(page, "\n## {}\n", capital(test));
+            for (quantity, scores) in groups(of_test.into_iter(), |score| score.quantity) {
+                page += &table(quantity, &scores);
+            }
+        }
+        page += &self.failures();
+        page += &self.cost();
+        page += &self.time_to_solution();
+        for (file, caption) in self.figures {
+            let _ = write!(page, "\n![{caption}](figures/{file})\n");
+        }
+        page
+    }
+
+    /// Which model for which flow: the most exact, and the next.
+    fn advice(&self) -> String {
+        let mut text = String::from(
+            "\n## Which model for which flow\n\nBy the worst number of each model over all starts and \
+             variants, at its finest resolution in 2D.\n\n| flow | most exact | next |\n|---|---|---|\n",
+        );
+        for (flow, test, quantity) in FLOWS {
+            let chosen = (self.scores.iter())
+                .filter(|s| s.test == test && s.quantity == quantity && s.dimension == 2);
+            let mut ranks: Vec<(f64, &str, &str)> = groups(chosen, |score| score.model)
+                .into_iter()
+                .filter_map(|(model, scores)| {
+                    let finest = scores.iter().map(|score| score.resolution).max()?;
+                    let cell = Cell(
+                        scores
+                            .into_iter()
+                            .filter(|s| s.resolution == finest)
+                            .collect(),
+                    );
+                    Some((cell.worst()?.abs(), model, cell.0[0].unit))
+                })
+                .collect();
+            ranks.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let place = |rank: usize| {
+                ranks.get(rank).map_or_else(
+                    || "none".to_owned(),
+                    |(error, model, unit)| format!("{model} ({})", with(*error, unit)),
+                )
+            };
+            let _ = writeln!(text, "| {flow} | {} | {} |", place(0), place(1));
+        }
+        text
+    }
+
+    fn failures(&self) -> String {
+        let failed = self.scores.iter().filter(|score| score.failure.is_some());
+        let runs = groups(failed, |score| (&score.run, score.failure.as_deref()));
+        if runs.is_empty() {
+            return String::new();
+        }
+        let mut text = String::from("\n## Runs without a number\n\n");
+        for ((run, reason), _) in runs {
+            let _ = writeln!(text, "- {run}: {}", reason.unwrap_or_default());
+        }
+        text
+    }
+
+    fn cost(&self) -> String {
+        let mut text = String::from(
+            "\n## Cost of a step\n\nOn one thread, in turn with the same drop without surface tension.\n\n\
+             | model | 2D, ns/particle | over plain | 3D, ns/particle | over plain |\n|---|---|---|---|---|\n",
+        );
+        for (model, costs) in groups(self.costs.iter(), |cost| cost.model) {
+            let of = |dimension: usize| {
+                costs
+                    .iter()
+                    .find(|cost| cost.dimension == dimension)
+                    .map_or_else(
+                        || "– | –".to_owned(),
+                        |cost| {
+                            format!(
+                                "{} | {}",
+                                significant(cost.nanoseconds, 3),
+                                significant(cost.over_plain, 3)
+                            )
+                        },
+                    )
+            };
+            let _ = writeln!(text, "| {model} | {} | {} |", of(2), of(3));
+        }
+        text
+    }
+
+    /// Seconds on one thread that a swing takes at the resolution where its frequency is right to
+    /// so much, by a straight line through the logarithms of neighbouring resolutions.
+    fn time_to_solution(&self) -> String {
+        let mut text = String::from(
+            "\n## Time to solution\n\nSeconds on one thread for four periods of the 2D swing at the \
+             resolution where the frequency is right to 2 % and 1 %, between the resolutions that were run.\n\n\
+             | model | 2 % | 1 % |\n|---|---|---|\n",
+        );
+        let chosen = (self.scores.iter())
+            .filter(|s| s.test == "swing" && s.quantity == "frequency" && s.dimension == 2);
+        for (model, scores) in groups(chosen, |score| score.model) {
+            let cost = self
+                .costs
+                .iter()
+                .find(|c| c.model == model && c.dimension == 2);
+            let points: Vec<(f64, f64)> = groups(scores.into_iter(), |score| score.resolution)
+                .into_iter()
+                .filter_map(|(_, cell)| {
+                    let work = cell[0].particles as f64 * cell[0].steps as f64;
+                    let cell = Cell(cell);
+                    Some((cell.worst()?.abs(), work * cost?.nanoseconds * 1e-9))
+                })
+                .collect();
+            let cell = |error| time_at(&points, error);
+            let _ = writeln!(text, "| {model} | {} | {} |", cell(2.0), cell(1.0));
+        }
+        text
+    }
+}
+
+/// The time, s, at which errors that fall with it reach `error`.
+fn time_at(points: &[(f64, f64)], error: f64) -> String {
+    match points {
+        [] => "–".into(),
+        [first, ..] if first.0 <= error => format!("at most {}", significant(first.1, 2)),
+        _ => (points.windows(2))
+            .find(|pair| pair[0].0 > error && pair[1].0 <= error)
+            .map_or_else(
+                || "not reached".into(),
+                |pair| {
+                    let share = (pair[0].0 / error).ln() / (pair[0].0 / pair[1].0).ln();
+                    significant(pair[0].1 * (pair[1].1 / pair[0].1).powf(share), 2)
+                },
+            ),
+    }
+}
+
+/// One number of one test: models below one another, resolutions side by side.
+fn table(quantity: &str, scores: &[&Score]) -> String {
+    let unit = scores[0].unit;
+    let columns = groups(scores.iter().copied(), |s| (s.dimension, s.resolution));
+    let mut columns: Vec<(usize, u32)> = columns.into_iter().map(|(key, _)| key).collect();
+    columns.sort_unstable();
+    let shown = if unit.is_empty() {
+        String::new()
+    } else {
+        format!(", {unit}")
+    };
+    let mut text = format!("\n{}{shown}\n\n| model |", capital(quantity));
+    let variants = scores.iter().any(|score| !score.variant.is_empty());
+    if variants {
+        text += " |";
+    }
+    for (dimension, resolution) in &columns {
+        let _ = write!(text, " {dimension}D, R/dx = {resolution} |");
+    }
+    let converges = unit == "%" && !variants;
+    if converges {
+        text += " order 2D | order 3D |";
+    }
+    let count = 1 + usize::from(variants) + columns.len() + 2 * usize::from(converges);
+    let _ = writeln!(text, "\n|{}", "---|".repeat(count));
+    let rows = groups(scores.iter().copied(), |s| (s.model, s.variant.as_str()));
+    for ((model, variant), of_row) in rows {
+        let _ = write!(text, "| {model} |");
+        if variants {
+            let _ = write!(text, " {variant} |");
+        }
+        let mut errors: Vec<(usize, u32, f64)> = Vec::new();
+        for &(dimension, resolution) in &columns {
+            let chosen = |s: &&&Score| s.dimension == dimension && s.resolution == resolution;
+            let cell = Cell(of_row.iter().filter(chosen).copied().collect());
+            if let Some(worst) = cell.worst() {
+                errors.push((dimension, resolution, worst));
+            }
+            let _ = write!(text, " {} |", shown_cell(&cell));
+        }
+        for dimension in [2, 3].into_iter().filter(|_| converges) {
+            let of = |e: &&(usize, u32, f64)| e.0 == dimension;
+            let errors: Vec<(u32, f64)> = errors.iter().filter(of).map(|e| (e.1, e.2)).collect();
+            let order = order(&errors).map_or_else(|| "–".into(), |p| format!("{p:.1}"));
+            let _ = write!(text, " {order} |");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn shown_cell(cell: &Cell<'_>) -> String {
+    let (failed, runs) = cell.failed();
+    match (cell.worst(), runs) {
+        (_, 0) => String::new(),
+        (None, _) => format!("{failed} of {runs} failed"),
+        (Some(worst), _) => {
+            let value = significant(worst, 2);
+            if cell.met() == Some(true) {
+                format!("**{value}**")
+            } else {
+                value
+            }
+        }
+    }
+}
+
+fn with(value: f64, unit: &str) -> String {
+    let value = significant(value, 2);
+    match unit {
+        "" => value,
+        "deg" => format!("{value} degrees"),
+        unit => format!("{value} {unit}"),
+    }
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::time_at;
+
+    #[test]
+    fn time_to_an_error_lies_between_the_runs_around_it() {
+        let points = [(4.0, 1.0), (1.0, 16.0)];
+        assert_eq!(time_at(&points, 2.0), "4.0");
+        assert_eq!(time_at(&points, 5.0), "at most 1.0");
+        assert_eq!(time_at(&points, 0.5), "not reached");
+        assert_eq!(time_at(&[], 0.5), "–");
+    }
+}

@@ -1,0 +1,185 @@
+//! Drops that meet, a thread that breaks, a splash, many drops at once.
+
+use super::at_rest::drift;
+use super::{Effort, Start, ball};
+use crate::appraise::model::Model;
+use crate::appraise::trial::{Evidence, Flow, Reading, Trial};
+
+/// What has no number of its own to meet: that it ends, keeps its momentum, and leaves what it should.
+pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
+    let mut trials = Vec::new();
+    for &(dimension, resolution) in effort.of(&[(2, 10), (3, 7)], 2) {
+        for &start in &[Start::Lattice, Start::Jittered(1)] {
+            let trial = |test, flow, readings| Trial {
+                test,
+                model,
+                dimension,
+                resolution,
+                variant: String::new(),
+                start,
+                flow,
+                readings,
+            };
+            let flow = merging(dimension, resolution);
+            trials.push(trial(
+                "two drops merge",
+                flow,
+                vec![drift(), largest_change()],
+            ));
+            trials.push(trial(
+                "five drops apart",
+                apart(dimension),
+                vec![
+                    drift(),
+                    Reading {
+                        quantity: "largest drift of one drop",
+                        unit: "",
+                        bar: Some(1e-12),
+                        read: |run| drift_of_bodies(run),
+                    },
+                ],
+            ));
+        }
+    }
+    for &start in &[Start::Lattice, Start::Jittered(1)] {
+        let trial = |test, dimension, resolution, flow, readings| Trial {
+            test,
+            model,
+            dimension,
+            resolution,
+            variant: String::new(),
+            start,
+            flow,
+            readings,
+        };
+        trials.push(trial(
+            "thread breaks",
+            3,
+            5,
+            thread(),
+            vec![largest_change()],
+        ));
+        trials.push(trial("splash", 2, 10, splash(), vec![largest_change()]));
+    }
+    trials
+}
+
+/// A weakly compressible flow changes its density by about 1 %.
+fn largest_change() -> Reading {
+    Reading {
+        quantity: "largest change of density",
+        unit: "%",
+        bar: None,
+        read: |run| run.finding("density-change").map(|found| found.computed),
+    }
+}
+
+/// Two drops that just touch. La = 1200.
+fn merging(dimension: usize, resolution: u32) -> Flow {
+    let half = 1.0 + 0.25 / f64::from(resolution);
+    Flow {
+        viscosity: (2.0_f64 / 1200.0).sqrt(),
+        end_time: 10.0,
+        bodies: vec![
+            (ball(dimension, -half), String::new()),
+            (ball(dimension, half), String::new()),
+        ],
+        ..Flow::default()
+    }
+}
+
+/// Drops in a row, stretched so that they swing, each with a speed of its own.
+fn apart(dimension: usize) -> Flow {
+    let bodies = (0..5).map(|k| {
+        let x = 4.0 * f64::from(k);
+        let (shape, velocity) = match dimension {
+            2 => (
+                format!("{{ ellipse = {{ semi_axes = [1.2, 0.8], centre = [{x}, 0] }} }}"),
+                format!("[0, {}]", 0.1 * f64::from(k)),
+            ),
+            _ => (
+                format!(
+                    "{{ ellipsoid = {{ semi_axes = [1.2, 0.9, 0.9], centre = [{x}, 0, 0] }} }}"
+                ),
+                format!("[0, {}, 0]", 0.1 * f64::from(k)),
+            ),
+        };
+        (shape, format!("velocity = {velocity}\n"))
+    });
+    Flow {
+        viscosity: (2.0_f64 / 1200.0).sqrt(),
+        end_time: 5.0,
+        bodies: bodies.collect(),
+        ..Flow::default()
+    }
+}
+
+/// The largest change of the mean velocity of any body.
+fn drift_of_bodies(run: &Evidence<'_>) -> Option<f64> {
+    let frames = run.frames()?;
+    let last = frames.times().len().checked_sub(1)?;
+    let means = |index: usize| -> Option<Vec<[f64; 3]>> {
+        let frame = frames.read(index).ok()?;
+        let of = |name: &str| frame.fields.iter().find(|field| field.name == name);
+        let (velocity, body) = (of("velocity")?, of("body")?);
+        let mut sums = vec![[0.0; 4]; run.case.bodies.len()];
+        for (v, body) in velocity.values.chunks_exact(3).zip(&body.values) {
+            let sum = sums.get_mut(*body as usize)?;
+            (0..3).for_each(|d| sum[d] += v[d]);
+            sum[3] += 1.0;
+        }
+        Some(
+            sums.iter()
+                .map(|s| [0, 1, 2].map(|d| s[d] / s[3]))
+                .collect(),
+        )
+    };
+    let (before, after) = (means(0)?, means(last)?);
+    let change =
+        |(a, b): (&[f64; 3], &[f64; 3])| (0..3).map(|d| (a[d] - b[d]).powi(2)).sum::<f64>().sqrt();
+    Some(before.iter().zip(&after).map(change).fold(0.0, f64::max))
+}
+
+/// A thread, endless along x, with the wave that grows fastest: k R = 0.7. Half of it is thinner.
+fn thread() -> Flow {
+    let length = std::f64::consts::TAU / 0.7;
+    // Whole numbers of spacings, or the seam has a gap.
+    let half = (0.5 * length * 5.0).round() / 5.0;
+    let part = |start: f64, end: f64, radius: f64| {
+        (
+            format!(
+                "{{ cylinder = {{ start = [{start}, 0, 0], end = [{end}, 0, 0], radius = {radius} }} }}"
+            ),
+            String::new(),
+        )
+    };
+    Flow {
+        viscosity: 0.05,
+        end_time: 25.0,
+        bodies: vec![part(0.0, half, 1.05), part(half, 2.0 * half, 0.95)],
+        rest: format!("[periodic]\nx = [0, {}]\n", 2.0 * half),
+        ..Flow::default()
+    }
+}
+
+/// A drop falls into a pool at We = 100.
+fn splash() -> Flow {
+    let fall = (100.0_f64 / 2.0).sqrt();
+    Flow {
+        viscosity: 0.02,
+        end_time: 1.5,
+        bodies: vec![
+            (
+                "{ block = { low = [-5, -2], high = [5, 0] } }".into(),
+                String::new(),
+            ),
+            (
+                ball(2, 0.0).replace(", 0] }", ", 1.1] }"),
+                format!("velocity = [0, {}]\n", -fall),
+            ),
+        ],
+        rest: "[[wall]]\nshape = { tank = { low = [-5, -2], high = [5, 6], open = [\"top\"] } }\n"
+            .into(),
+        ..Flow::default()
+    }
+}

@@ -1,0 +1,96 @@
+//! A small swing of mode 2: frequency and damping beside viscous theory.
+
+use std::f64::consts::TAU;
+
+use super::Effort;
+use super::at_rest::drift;
+use crate::appraise::model::Model;
+use crate::appraise::trial::{Evidence, Flow, Reading, Trial};
+use crate::expected;
+
+/// R / dx, and the bar of the frequency in per cent.
+const FLAT: [(u32, f64); 3] = [(7, 1.5), (13, 1.0), (26, 0.5)];
+const SOLID: [(u32, f64); 2] = [(7, 2.0), (13, 1.0)];
+
+/// Longest semi-axis at the start.
+const STRETCH: f64 = 1.05;
+
+/// La = 1000 by the liquid's own viscosity; theory counts the artificial one too.
+pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
+    let mut trials = Vec::new();
+    let runs = (effort.of(&FLAT, 2).iter().map(|run| (2, run)))
+        .chain(effort.of(&SOLID, 1).iter().map(|run| (3, run)));
+    for (dimension, &(resolution, bar)) in runs {
+        for &start in effort.starts() {
+            let across = STRETCH.powf(-1.0 / (dimension as f64 - 1.0));
+            let shape = match dimension {
+                2 => format!("{{ ellipse = {{ semi_axes = [{STRETCH}, {across}] }} }}"),
+                _ => format!("{{ ellipsoid = {{ semi_axes = [{STRETCH}, {across}, {across}] }} }}"),
+            };
+            // sqrt(6) and sqrt(8) are Rayleigh's frequencies.
+            let period = TAU / if dimension == 2 { 6.0_f64 } else { 8.0 }.sqrt();
+            trials.push(Trial {
+                test: "swing",
+                model,
+                dimension,
+                resolution,
+                variant: String::new(),
+                start,
+                flow: Flow {
+                    viscosity: (2.0_f64 / 1000.0).sqrt(),
+                    end_time: 4.0 * period,
+                    bodies: vec![(shape, String::new())],
+                    rest: format!(
+                        "[measure]\noscillation = {{ mode = 2, from = {} }}\n",
+                        0.25 * period
+                    ),
+                    ..Flow::default()
+                },
+                readings: vec![
+                    Reading {
+                        quantity: "frequency",
+                        unit: "%",
+                        bar: Some(bar),
+                        read: |run| frequency(run),
+                    },
+                    Reading {
+                        quantity: "damping",
+                        unit: "%",
+                        bar: Some(20.0),
+                        read: |run| run.percent_above("damping-rate"),
+                    },
+                    Reading {
+                        quantity: "energy gained",
+                        unit: "%",
+                        bar: None,
+                        read: |run| gained(run),
+                    },
+                    drift(),
+                ],
+            });
+        }
+    }
+    trials
+}
+
+fn frequency(run: &Evidence<'_>) -> Option<f64> {
+    let theory = expected::oscillation(run.case)?.viscous?;
+    let found = TAU / run.finding("period")?.computed;
+    Some(100.0 * (found / theory.angular_frequency - 1.0))
+}
+
+/// The most that kinetic energy, compression and shape together rise above their start, of the
+/// energy of shape at the start: what the forces made from nothing.
+fn gained(run: &Evidence<'_>) -> Option<f64> {
+    let of = |name: &str| run.series.column(name);
+    let (kinetic, stored, shape) = (
+        of("kinetic energy")?,
+        of("compression energy")?,
+        of("shape energy")?,
+    );
+    let start = shape.first()? + stored.first()?;
+    let most = (kinetic.iter().zip(stored).zip(shape))
+        .map(|((a, b), c)| a + b + c)
+        .fold(f64::NEG_INFINITY, f64::max);
+    Some(100.0 * (most - start).max(0.0) / shape.first()?)
+}
