@@ -42,6 +42,9 @@ pub struct What {
     /// Only these tests, such as laplace,swing.
     #[arg(long, value_delimiter = ',')]
     tests: Option<Vec<String>>,
+    /// Only this dimension.
+    #[arg(long, value_parser = clap::value_parser!(u8).range(2..=3))]
+    dimension: Option<u8>,
     /// Coarser resolutions and fewer starts.
     #[arg(long)]
     quick: bool,
@@ -82,6 +85,11 @@ pub fn appraise(
         refuse_unknown(tests, trials.iter().map(|trial| trial.test))?;
         trials.retain(|trial| tests.iter().any(|test| *test == trial.test));
     }
+    let dimensions = match what.dimension {
+        Some(dimension) => vec![usize::from(dimension)],
+        None => vec![2, 3],
+    };
+    trials.retain(|trial| dimensions.contains(&trial.dimension));
     let runs = root.join("runs");
     let mut jobs = Vec::new();
     let mut claimed: BTreeMap<String, Result<Case, String>> = BTreeMap::new();
@@ -128,7 +136,7 @@ pub fn appraise(
     }
     let mut costs = Vec::new();
     for &model in &models {
-        for dimension in [2, 3] {
+        for &dimension in &dimensions {
             match cost::cost(model, dimension) {
                 Ok(cost) => costs.push(cost),
                 Err(failure) => complain(&format!(
@@ -177,6 +185,9 @@ fn command(what: &What) -> String {
     }
     if let Some(tests) = &what.tests {
         command += &format!(" --tests '{}'", tests.join(","));
+    }
+    if let Some(dimension) = what.dimension {
+        command += &format!(" --dimension {dimension}");
     }
     if what.quick {
         command += " --quick";

@@ -11,7 +11,7 @@ use crate::findings::Finding;
 /// How the particles lie at first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Start {
-    /// Close packed, rows along x.
+    /// Close packed, rows along x; square or cubic beside walls.
     Lattice,
     /// The same turned by 17 degrees, in space about (1, 2, 3).
     Rotated,
@@ -30,10 +30,16 @@ impl Start {
     }
 
     /// The value of `arrangement`.
-    fn arrangement(self, dimension: usize) -> String {
-        let (pattern, turned) = match dimension {
-            2 => ("triangular", "\"17 deg\""),
-            _ => ("hexagonal", "{ axis = [1, 2, 3], angle = \"17 deg\" }"),
+    fn arrangement(self, dimension: usize, beside: Beside) -> String {
+        let pattern = match (dimension, beside) {
+            (2, Beside::Nothing) => "triangular",
+            (2, Beside::Walls) => "square",
+            (_, Beside::Nothing) => "hexagonal",
+            (_, Beside::Walls) => "cubic",
+        };
+        let turned = match dimension {
+            2 => "\"17 deg\"",
+            _ => "{ axis = [1, 2, 3], angle = \"17 deg\" }",
         };
         match self {
             Start::Lattice => format!("\"{pattern}\""),
@@ -43,6 +49,16 @@ impl Start {
             }
         }
     }
+}
+
+/// What a liquid starts beside.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Beside {
+    /// It is free, and close packed.
+    #[default]
+    Nothing,
+    /// Walls along the axes, which a square or cubic lattice fits.
+    Walls,
 }
 
 /// A run to come.
@@ -72,6 +88,8 @@ pub struct Flow {
     pub viscosity: f64,
     /// How long.
     pub end_time: f64,
+    /// What it starts beside.
+    pub beside: Beside,
     /// Shapes of the bodies, and further lines of each.
     pub bodies: Vec<(String, String)>,
     /// Lines of `[physics]`.
@@ -148,6 +166,7 @@ impl Trial {
         let Flow {
             viscosity,
             end_time,
+            beside,
             bodies,
             physics,
             rest,
@@ -156,7 +175,7 @@ impl Trial {
         let bodies: String = bodies
             .iter()
             .map(|(shape, more)| {
-                let arrangement = self.start.arrangement(self.dimension);
+                let arrangement = self.start.arrangement(self.dimension, *beside);
                 format!("\n[[body]]\nshape = {shape}\narrangement = {arrangement}\n{more}")
             })
             .collect();

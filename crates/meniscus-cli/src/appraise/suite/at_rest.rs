@@ -32,7 +32,7 @@ pub fn laplace(model: Model, effort: Effort) -> Vec<Trial> {
                         bodies: vec![(ball(dimension, 0.0), String::new())],
                         physics: "damping = 2\n".into(),
                         rest: "[measure]\nstatic_pressure = {}\n".into(),
-                        sound_speed: None,
+                        ..Flow::default()
                     },
                     readings: vec![
                         Reading {

@@ -4,7 +4,7 @@ use meniscus::theory::Cap;
 
 use super::{Effort, Start};
 use crate::appraise::model::Model;
-use crate::appraise::trial::{Evidence, Flow, Reading, Trial};
+use crate::appraise::trial::{Beside, Evidence, Flow, Reading, Trial};
 
 /// Without weight, La = 120. Models without contact angles do not sit it.
 pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
@@ -53,6 +53,7 @@ fn flow(dimension: usize, angle: u32, slip: &str) -> Flow {
     Flow {
         viscosity: (2.0_f64 / 120.0).sqrt(),
         end_time: if dimension == 2 { 20.0 } else { 12.0 },
+        beside: Beside::Walls,
         bodies: vec![(
             format!(
                 "{{ intersection = [{{ {shape} = {{ radius = 1 }} }}, \

@@ -3,7 +3,7 @@
 use super::at_rest::drift;
 use super::{Effort, Start, ball};
 use crate::appraise::model::Model;
-use crate::appraise::trial::{Evidence, Flow, Reading, Trial};
+use crate::appraise::trial::{Beside, Evidence, Flow, Reading, Trial};
 
 /// What has no number of its own to meet: that it ends, keeps its momentum, and leaves what it should.
 pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
@@ -168,6 +168,7 @@ fn splash() -> Flow {
     Flow {
         viscosity: 0.02,
         end_time: 1.5,
+        beside: Beside::Walls,
         bodies: vec![
             (
                 "{ block = { low = [-5, -2], high = [5, 0] } }".into(),

@@ -3,6 +3,7 @@
 mod at_rest;
 mod cap;
 mod encounters;
+mod gravity;
 mod relaxation;
 mod swing;
 
@@ -26,6 +27,7 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
         swing::trials(model, effort),
         relaxation::trials(model, effort),
         cap::trials(model, effort),
+        gravity::trials(model, effort),
         encounters::trials(model, effort),
     ]
     .into_iter()
