@@ -70,7 +70,7 @@ where
         setup.scheme.surface_tension = surface_tension;
         Simulation::<D>::new(setup).map_err(|error| Failure::new(error.to_string()))
     };
-    let mut with = start(case.scheme.surface_tension.clone())?;
+    let mut with = start(case.scheme.surface_tension)?;
     let mut without = start(None)?;
     let mut samples = Vec::new();
     for turn in 0..=TURNS {

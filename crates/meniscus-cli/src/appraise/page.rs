@@ -214,11 +214,17 @@ fn table(quantity: &str, scores: &[&Score]) -> String {
     for (dimension, resolution) in &columns {
         let _ = write!(text, " {dimension}D, R/dx = {resolution} |");
     }
-    let converges = unit == "%" && !variants;
-    if converges {
-        text += " order 2D | order 3D |";
+    let ordered: Vec<usize> = [2, 3]
+        .into_iter()
+        .filter(|dimension| {
+            let runs = columns.iter().filter(|(d, _)| d == dimension).count();
+            unit == "%" && !variants && runs > 1
+        })
+        .collect();
+    for dimension in &ordered {
+        let _ = write!(text, " order {dimension}D |");
     }
-    let count = 1 + usize::from(variants) + columns.len() + 2 * usize::from(converges);
+    let count = 1 + usize::from(variants) + columns.len() + ordered.len();
     let _ = writeln!(text, "\n|{}", "---|".repeat(count));
     let rows = groups(scores.iter().copied(), |s| (s.model, s.variant.as_str()));
     for ((model, variant), of_row) in rows {
@@ -235,10 +241,10 @@ fn table(quantity: &str, scores: &[&Score]) -> String {
             }
             let _ = write!(text, " {} |", shown_cell(&cell));
         }
-        for dimension in [2, 3].into_iter().filter(|_| converges) {
-            let of = |e: &&(usize, u32, f64)| e.0 == dimension;
+        for dimension in &ordered {
+            let of = |e: &&(usize, u32, f64)| e.0 == *dimension;
             let errors: Vec<(u32, f64)> = errors.iter().filter(of).map(|e| (e.1, e.2)).collect();
-            let order = order(&errors).map_or_else(|| "–".into(), |p| format!("{p:.1}"));
+            let order = order(&errors).map_or_else(|| "–".into(), |p| significant(p, 2));
             let _ = write!(text, " {order} |");
         }
         text.push('\n');

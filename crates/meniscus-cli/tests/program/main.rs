@@ -2,6 +2,7 @@
 
 #![cfg(unix)]
 
+mod appraise;
 mod bench;
 mod commands;
 mod divergence;

@@ -39,7 +39,7 @@ pub fn laplace(model: Model, effort: Effort) -> Vec<Trial> {
                             quantity: "pressure",
                             unit: "%",
                             bar: Some(bar),
-                            read: |run| pressure(run),
+                            read: pressure,
                         },
                         drift(),
                     ],

@@ -85,7 +85,7 @@ fn readings() -> Vec<Reading> {
             quantity: "wetted radius",
             unit: "%",
             bar: Some(2.0),
-            read: |run| radius(run),
+            read: radius,
         },
         Reading {
             quantity: "gap, in spacings",

@@ -35,7 +35,7 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
                         quantity: "largest drift of one drop",
                         unit: "",
                         bar: Some(1e-12),
-                        read: |run| drift_of_bodies(run),
+                        read: drift_of_bodies,
                     },
                 ],
             ));

@@ -44,8 +44,8 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
                     read,
                 }],
             };
-            trials.push(trial("puddle", puddle(angle), |run| puddle_height(run)));
-            trials.push(trial("rise between plates", plates(angle), |run| rise(run)));
+            trials.push(trial("puddle", puddle(angle), puddle_height));
+            trials.push(trial("rise between plates", plates(angle), rise));
         }
     }
     trials

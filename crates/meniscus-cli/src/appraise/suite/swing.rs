@@ -51,7 +51,7 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
                         quantity: "frequency",
                         unit: "%",
                         bar: Some(bar),
-                        read: |run| frequency(run),
+                        read: frequency,
                     },
                     Reading {
                         quantity: "damping",
@@ -63,7 +63,7 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
                         quantity: "energy gained",
                         unit: "%",
                         bar: None,
-                        read: |run| gained(run),
+                        read: gained,
                     },
                     drift(),
                 ],
@@ -79,8 +79,8 @@ fn frequency(run: &Evidence<'_>) -> Option<f64> {
     Some(100.0 * (found / theory.angular_frequency - 1.0))
 }
 
-/// The most that kinetic energy, compression and shape together rise above their start, of the
-/// energy of shape at the start: what the forces made from nothing.
+/// The most that kinetic energy, compression and shape together rise again after the first period,
+/// of the energy of shape at the start: what the forces made from nothing.
 fn gained(run: &Evidence<'_>) -> Option<f64> {
     let of = |name: &str| run.series.column(name);
     let (kinetic, stored, shape) = (
@@ -88,9 +88,13 @@ fn gained(run: &Evidence<'_>) -> Option<f64> {
         of("compression energy")?,
         of("shape energy")?,
     );
-    let start = shape.first()? + stored.first()?;
-    let most = (kinetic.iter().zip(stored).zip(shape))
-        .map(|((a, b), c)| a + b + c)
-        .fold(f64::NEG_INFINITY, f64::max);
-    Some(100.0 * (most - start).max(0.0) / shape.first()?)
+    let start = *shape.first()?;
+    let total = (kinetic.iter().zip(stored).zip(shape)).map(|((a, b), c)| a + b + c);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    // The run has four periods.
+    for energy in total.skip(shape.len() / 4) {
+        least = least.min(energy);
+        most = most.max(energy - least);
+    }
+    Some(100.0 * most / start)
 }

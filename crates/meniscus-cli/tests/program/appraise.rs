@@ -1,0 +1,61 @@
+//! `appraise`: the comparison of models, its files and its words.
+
+use serde_json::Value;
+
+use crate::workplace::{Workplace, has};
+
+const FEW: [&str; 4] = ["appraise", "--quick", "--dimension", "2"];
+
+#[test]
+fn models_are_compared_as_a_page_and_as_json() {
+    let place = Workplace::new("appraise");
+    let few = [&FEW[..], &["--models", "continuum", "--tests", "swing"]].concat();
+    let page = place.run(&few).ok();
+    has(
+        &page.out,
+        &[
+            "## Swing",
+            "Frequency, %",
+            "| continuum |",
+            "over plain",
+            "Time to solution",
+            "figures/swing-2d.png",
+        ],
+    );
+    has(
+        &page.err,
+        &["4 of 4: swing-2d-", "out/appraise/appraisal.md"],
+    );
+    assert_eq!(
+        place.read("out/appraise/appraisal.md").trim(),
+        page.out.trim()
+    );
+    // Every run is a case of its own.
+    let case = "out/appraise/runs/swing-2d-7-lattice-continuum/case.toml";
+    has(&place.run(&["check", case]).ok().out, &["La"]);
+
+    let refused = place.run(&few).code(1);
+    has(&refused.err, &["--force"]);
+    let again = [&few[..], &["--force", "--json", "--quiet"]].concat();
+    let json: Value = serde_json::from_str(&place.run(&again).ok().out).unwrap();
+    let scores = json["scores"].as_array().unwrap();
+    let frequency = |score: &&Value| score["quantity"] == "frequency";
+    // Two resolutions, a lattice and a jittered start.
+    assert_eq!(scores.iter().filter(frequency).count(), 4);
+    assert!(scores.iter().filter(frequency).all(|s| s["value"].is_f64()));
+    assert!(json["costs"][0]["over_plain"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn unknown_models_and_tests_are_told_what_there_is() {
+    let place = Workplace::new("appraise-unknown");
+    let model = place
+        .run(&[&FEW[..], &["--models", "magic"]].concat())
+        .code(2);
+    has(&model.err, &["magic", "continuum"]);
+    let test = place
+        .run(&[&FEW[..], &["--tests", "swim"]].concat())
+        .code(1);
+    has(&test.err, &["swim", "laplace", "swing"]);
+    assert!(!place.path("out").exists());
+}
