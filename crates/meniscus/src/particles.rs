@@ -24,6 +24,8 @@ pub struct Particles<const D: usize> {
     pub heating_gain: Vec<f64>,
     /// Mass, kg (kg/m in 2D)
     pub mass: Vec<f64>,
+    /// Smoothing length, m
+    pub smoothing_length: Vec<f64>,
     /// Index of the fluid
     pub fluid: Vec<u16>,
     /// Index of the body that the particle started in
@@ -48,7 +50,7 @@ pub struct Particle<const D: usize> {
 }
 
 impl<const D: usize> Particles<D> {
-    /// Particles at rest pressure; density is left for the caller to set.
+    /// Particles at rest pressure; density and smoothing length are left for the caller to set.
     pub fn new(start: &[Particle<D>]) -> Self {
         Self {
             position: start.iter().map(|p| p.position).collect(),
@@ -60,6 +62,7 @@ impl<const D: usize> Particles<D> {
             heating: Vec::new(),
             heating_gain: Vec::new(),
             mass: start.iter().map(|p| p.mass).collect(),
+            smoothing_length: vec![0.0; start.len()],
             fluid: start.iter().map(|p| p.fluid).collect(),
             body: start.iter().map(|p| p.body).collect(),
             id: (0..start.len() as u32).collect(),
@@ -108,6 +111,7 @@ impl<const D: usize> Particles<D> {
             &mut self.heating,
             &mut self.heating_gain,
             &mut self.mass,
+            &mut self.smoothing_length,
         ] {
             if !column.is_empty() {
                 gather(column, &mut scratch.scalars, order);

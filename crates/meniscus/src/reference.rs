@@ -2,29 +2,32 @@
 //! against, and that a term of your own can be tested against.
 
 use crate::kernel::Kernel;
-use crate::pairs::Domain;
+use crate::pairs::{Domain, Smoothing};
 use crate::particles::Particles;
 use crate::term::{PairTerm, Record, ScaledKernel};
 use crate::vector::Vector;
 
 /// `term` summed for particle `i` over all particles, itself and periodic images included.
+/// A number for `smoothing` is one smoothing length for all, m.
 pub fn sum<T: PairTerm<D>, const D: usize>(
     term: &T,
     kernel: Kernel,
-    smoothing_length: f64,
+    smoothing: impl Into<Smoothing>,
     domain: &Domain<D>,
     particles: &Particles<D>,
     i: usize,
 ) -> T::Sum<f64> {
-    let support = kernel.support() * smoothing_length;
+    let smoothing = smoothing.into();
     let own = term.record(particles, i);
     let mut sum = T::Sum::<f64>::read(&mut || 0.0);
-    let scaled = ScaledKernel::new(kernel, smoothing_length, D);
     for j in 0..particles.len() {
+        let smoothing_length = smoothing.of_pair(particles, i, j);
+        let support = kernel.support() * smoothing_length;
+        let scaled = ScaledKernel::new(kernel, smoothing_length, D);
         let other = term.record(particles, j);
         let offset = particles.position[i] - particles.position[j];
         for_each_image(domain, offset, support, &mut |offset| {
-            let pair = scaled.pair::<f64, D>(scaled.approach(offset));
+            let pair = scaled.pair::<f64, D>(scaled.approach(offset, || smoothing_length));
             term.pair(&own, &other, &pair, &mut sum);
         });
     }
@@ -35,12 +38,13 @@ pub fn sum<T: PairTerm<D>, const D: usize>(
 pub fn sums<T: PairTerm<D>, const D: usize>(
     term: &T,
     kernel: Kernel,
-    smoothing_length: f64,
+    smoothing: impl Into<Smoothing>,
     domain: &Domain<D>,
     particles: &Particles<D>,
 ) -> Vec<T::Sum<f64>> {
+    let smoothing = smoothing.into();
     (0..particles.len())
-        .map(|i| sum(term, kernel, smoothing_length, domain, particles, i))
+        .map(|i| sum(term, kernel, smoothing, domain, particles, i))
         .collect()
 }
 

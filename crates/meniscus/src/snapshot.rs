@@ -28,6 +28,10 @@ pub struct Snapshot {
     pub reference: Vec<f64>,
     /// How far these lists reach beyond the kernel's support, m.
     pub skin: f64,
+    /// Smoothing lengths, m; none where they are all the same.
+    pub smoothing_length: Vec<f64>,
+    /// Smoothing lengths when the neighbour lists were built, m.
+    pub reference_smoothing_length: Vec<f64>,
     /// Velocities, m/s.
     pub velocity: Vec<f64>,
     /// Accelerations, m/s^2.
@@ -56,6 +60,13 @@ impl Snapshot {
             position: flatten(&particles.position),
             reference: flatten(simulation.rates.pairs.reference()),
             skin: simulation.rates.pairs.skin(),
+            smoothing_length: if simulation.rates.pairs.smoothing_varies() {
+                particles.smoothing_length.clone()
+            } else {
+                Vec::new()
+            },
+            reference_smoothing_length: (simulation.rates.pairs.reference_smoothing_length())
+                .to_vec(),
             velocity: flatten(&particles.velocity),
             acceleration: flatten(&particles.acceleration),
             density: particles.density.clone(),
@@ -95,8 +106,18 @@ impl<const D: usize> Simulation<D> {
             &snapshot.velocity,
             &snapshot.acceleration,
         ];
+        let varying = if simulation.rates.pairs.smoothing_varies() {
+            rows
+        } else {
+            0
+        };
+        let lengths = [
+            &snapshot.smoothing_length,
+            &snapshot.reference_smoothing_length,
+        ];
         if snapshot.dimension as usize != D
             || !is_permutation
+            || lengths.iter().any(|column| column.len() != varying)
             || snapshot.density.len() != rows
             || heat
                 .iter()
@@ -110,22 +131,28 @@ impl<const D: usize> Simulation<D> {
             )));
         }
         particles.permute(&snapshot.id, &mut Default::default());
-        particles.position = unflatten(&snapshot.position);
+        particles.position = unflatten(&snapshot.reference);
         particles.velocity = unflatten(&snapshot.velocity);
         particles.acceleration = unflatten(&snapshot.acceleration);
         particles.density.copy_from_slice(&snapshot.density);
         particles.temperature.copy_from_slice(&snapshot.temperature);
         particles.heating.copy_from_slice(&snapshot.heating);
         (particles.heating_gain).copy_from_slice(&snapshot.heating_gain);
+        if varying > 0 {
+            (particles.smoothing_length).copy_from_slice(&snapshot.reference_smoothing_length);
+        }
         simulation.rates.pairs.set_skin(snapshot.skin);
-        if !simulation
-            .rates
-            .pairs
-            .restore(&unflatten(&snapshot.reference))
-        {
+        if !simulation.rates.pairs.restore(particles) {
             return Err(SetupError(
                 "the saved state is not in the order that this version sorts in".into(),
             ));
+        }
+        let particles = &mut simulation.particles;
+        particles.position = unflatten(&snapshot.position);
+        if varying > 0 {
+            particles
+                .smoothing_length
+                .copy_from_slice(&snapshot.smoothing_length);
         }
         if simulation.rates.scheme.van_der_waals.is_some() {
             // Of the same places, so the same density as saved, and what else follows from places.

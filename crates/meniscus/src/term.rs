@@ -134,6 +134,8 @@ pub struct Pair<R, const D: usize> {
 /// The shape of a kernel, compiled in ([`Compiled`]) or chosen at run time
 /// ([`Kernel`]: well-predicted branches for each pair, and a sixth of the code).
 pub(crate) trait Shape: Copy + Send + Sync {
+    /// Whether the smoothing length may be another for each pair.
+    const MAY_VARY: bool;
     /// What `shape` and `slope_over_q` want, from q^2.
     fn argument<R: Real>(self, square: R) -> R;
     fn shape<R: Real>(self, argument: R) -> R;
@@ -145,6 +147,8 @@ pub(crate) trait Shape: Copy + Send + Sync {
 pub(crate) struct Compiled<K>(pub(crate) PhantomData<K>);
 
 impl<K: SmoothingKernel> Shape for Compiled<K> {
+    const MAY_VARY: bool = false;
+
     #[inline(always)]
     fn argument<R: Real>(self, square: R) -> R {
         if K::FROM_SQUARE {
@@ -172,6 +176,8 @@ impl<K: SmoothingKernel> Shape for Compiled<K> {
 }
 
 impl Shape for Kernel {
+    const MAY_VARY: bool = true;
+
     #[inline(always)]
     fn argument<R: Real>(self, square: R) -> R {
         with_kernel!(self, K => Compiled::<K>(PhantomData).argument(square))
@@ -192,12 +198,16 @@ pub(crate) struct Approach<R, const D: usize> {
     offset: Vector<R, D>,
     distance_squared: R,
     argument: R,
+    /// 1/h_ij, 1/m, where it varies.
+    inverse_h: R,
 }
 
 /// A kernel with its smoothing length worked into factors.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScaledKernel<Q> {
     shape: Q,
+    /// Whether each pair has a smoothing length of its own; the factors are those of one metre then.
+    varies: bool,
     inverse_h_squared: f64,
     value_factor: f64,
     slope_factor: f64,
@@ -209,15 +219,30 @@ impl ScaledKernel<Kernel> {
             kernel.normalisation(dimension) / smoothing_length.powi(dimension as i32);
         Self {
             shape: kernel,
+            varies: false,
             inverse_h_squared: 1.0 / (smoothing_length * smoothing_length),
             value_factor,
             slope_factor: value_factor / (smoothing_length * smoothing_length),
         }
     }
 
-    /// The same with its shape compiled in, which must be that of the kernel.
+    /// With a smoothing length that each pair brings along.
+    pub(crate) fn varying(kernel: Kernel, dimension: usize) -> Self {
+        Self {
+            varies: true,
+            ..Self::new(kernel, 1.0, dimension)
+        }
+    }
+
+    /// Whether each pair has a smoothing length of its own.
+    pub(crate) fn varies(&self) -> bool {
+        self.varies
+    }
+
+    /// The same with its shape compiled in, which must be that of the kernel; for one smoothing length.
     pub(crate) fn compiled<K: SmoothingKernel>(self) -> ScaledKernel<Compiled<K>> {
         let Self {
+            varies,
             inverse_h_squared,
             value_factor,
             slope_factor,
@@ -225,6 +250,7 @@ impl ScaledKernel<Kernel> {
         } = self;
         ScaledKernel {
             shape: Compiled(PhantomData),
+            varies,
             inverse_h_squared,
             value_factor,
             slope_factor,
@@ -234,16 +260,25 @@ impl ScaledKernel<Kernel> {
 
 impl<Q: Shape> ScaledKernel<Q> {
     /// The first half of [`pair`](Self::pair), with its slow root, for an early start.
+    /// `smoothing_length` is asked for where it varies.
     #[inline(always)]
-    pub(crate) fn approach<R: Real, const D: usize>(&self, offset: Vector<R, D>) -> Approach<R, D> {
+    pub(crate) fn approach<R: Real, const D: usize>(
+        &self,
+        offset: Vector<R, D>,
+        smoothing_length: impl FnOnce() -> R,
+    ) -> Approach<R, D> {
         let distance_squared = offset.norm_squared();
-        let argument = self
-            .shape
-            .argument(distance_squared * self.inverse_h_squared);
+        let (inverse_h, square) = if Q::MAY_VARY && self.varies {
+            let inverse_h = distance_squared.literal(1.0) / smoothing_length();
+            (inverse_h, distance_squared * inverse_h.square())
+        } else {
+            (distance_squared, distance_squared * self.inverse_h_squared)
+        };
         Approach {
             offset,
             distance_squared,
-            argument,
+            argument: self.shape.argument(square),
+            inverse_h,
         }
     }
 
@@ -253,12 +288,20 @@ impl<Q: Shape> ScaledKernel<Q> {
             offset,
             distance_squared,
             argument,
+            inverse_h,
         } = approach;
-        let slope_over_distance = self.shape.slope_over_q(argument) * self.slope_factor;
+        let mut w = self.shape.shape(argument) * self.value_factor;
+        let mut slope_over_distance = self.shape.slope_over_q(argument) * self.slope_factor;
+        if Q::MAY_VARY && self.varies {
+            let square = inverse_h.square();
+            let power = if D == 3 { square * inverse_h } else { square };
+            w = w * power;
+            slope_over_distance = slope_over_distance * (power * square);
+        }
         Pair {
             offset,
             distance_squared,
-            w: self.shape.shape(argument) * self.value_factor,
+            w,
             grad_w: offset * slope_over_distance,
             slope_over_distance,
         }

@@ -1,4 +1,5 @@
-//! The engine against the O(N^2) reference, on random clouds.
+//! The engine against the O(N^2) reference, on random clouds, with one smoothing length and with
+//! one for each particle.
 //!
 //! Both run the same formulas; only the order of the sums differs. The sums
 //! must agree to rounding: 1e-11 of the sum of the magnitudes of its parts,
@@ -9,7 +10,7 @@
 //! centres of two particles much closer than a spacing feel it.
 
 use meniscus::fluid::Fluid;
-use meniscus::pairs::{Instructions, Pairs};
+use meniscus::pairs::{Instructions, Pairs, Smoothing};
 use meniscus::physics::continuity::Continuity;
 use meniscus::physics::momentum::{Mixture, Momentum, OneFluid, PressureForm};
 use meniscus::physics::surface_tension::curvature::{CorrectedCurvature, Curvature, Weighting};
@@ -31,8 +32,31 @@ struct Cloud {
     smoothing_length: f64,
     instructions: Instructions,
     precision: Precision,
-    /// Motion after the lists were built, as a part of what the skin allows.
+    /// Largest smoothing length of a particle over the smallest, where it varies.
+    ratio: Option<f64>,
+    /// Range of the second lists over the first.
+    second: f64,
+    /// Motion, and growth of smoothing lengths, after the lists were built, as a part of what the
+    /// skin allows.
     moved: f64,
+}
+
+impl Cloud {
+    fn smoothing(&self) -> Smoothing {
+        match self.ratio {
+            None => Smoothing::Constant(self.smoothing_length),
+            Some(_) => Smoothing::Mean { factor: 1.0 },
+        }
+    }
+
+    fn second(&self) -> Smoothing {
+        match self.ratio {
+            None => Smoothing::Constant(self.second * self.smoothing_length),
+            Some(_) => Smoothing::Mean {
+                factor: self.second,
+            },
+        }
+    }
 }
 
 fn cloud() -> impl Strategy<Value = Cloud> {
@@ -77,10 +101,21 @@ fn cloud() -> impl Strategy<Value = Cloud> {
             Instructions::Portable,
         ]),
         prop::sample::select(vec![Precision::Double, Precision::Mixed]),
+        (prop::option::of(1.0..3.0f64), 1.0..2.0f64),
         0.0..0.99f64,
     )
         .prop_map(
-            |(points, periodic, size, kernel, smoothing_length, instructions, precision, moved)| {
+            |(
+                points,
+                periodic,
+                size,
+                kernel,
+                smoothing_length,
+                instructions,
+                precision,
+                (ratio, second),
+                moved,
+            )| {
                 Cloud {
                     points,
                     periodic,
@@ -89,6 +124,8 @@ fn cloud() -> impl Strategy<Value = Cloud> {
                     smoothing_length,
                     instructions,
                     precision,
+                    ratio,
+                    second,
                     moved,
                 }
             },
@@ -109,6 +146,9 @@ fn particles<const D: usize>(cloud: &Cloud) -> Particles<D> {
     for k in 0..particles.len() {
         particles.density[k] = 1.0 + 0.2 * (3.0 * k as f64).sin();
         particles.pressure[k] = (5.0 * k as f64).cos();
+        let ratio = cloud.ratio.unwrap_or(1.0);
+        let part = (11.0 * k as f64).sin().abs();
+        particles.smoothing_length[k] = cloud.smoothing_length * ratio.powf(part - 0.5);
     }
     particles
 }
@@ -143,13 +183,19 @@ fn compare<T: PairTerm<D>, const D: usize>(
 ) -> Result<(), TestCaseError> {
     let mut fast = Vec::new();
     pairs.sweep(term, particles, |_| true, &mut fast);
-    let slow = reference::sums(
-        term,
-        cloud.kernel,
-        cloud.smoothing_length,
-        domain,
-        particles,
-    );
+    let smoothing = cloud.smoothing();
+    let slow = reference::sums(term, cloud.kernel, smoothing, domain, particles);
+    agree::<T, D>(name, cloud, domain, particles, &fast, &slow)
+}
+
+fn agree<T: PairTerm<D>, const D: usize>(
+    name: &str,
+    cloud: &Cloud,
+    domain: &Domain<D>,
+    particles: &Particles<D>,
+    fast: &[T::Sum<f64>],
+    slow: &[T::Sum<f64>],
+) -> Result<(), TestCaseError> {
     prop_assert_eq!(fast.len(), slow.len());
     let reals = |sum: &T::Sum<f64>| {
         let mut out = Vec::new();
@@ -163,12 +209,13 @@ fn compare<T: PairTerm<D>, const D: usize>(
     let tolerance = match cloud.precision {
         Precision::Double => 1e-11,
         Precision::Mixed => {
-            let reach = cloud.kernel.support() * cloud.smoothing_length;
+            let ratio = cloud.ratio.unwrap_or(1.0).sqrt();
+            let reach = cloud.kernel.support() * cloud.smoothing_length * ratio * cloud.second;
             let quantum = reach * 2.0_f64.powi(-26);
             1e-5 + 10.0 * quantum / closest(domain, particles)
         }
     };
-    for (i, (fast, slow)) in fast.iter().zip(&slow).enumerate() {
+    for (i, (fast, slow)) in fast.iter().zip(slow).enumerate() {
         for (fast, slow) in reals(fast).iter().zip(reals(slow)) {
             prop_assert!(
                 (fast - slow).abs() <= tolerance * scale,
@@ -198,14 +245,26 @@ fn check<const D: usize>(cloud: &Cloud) -> Result<(), TestCaseError> {
         periodic: std::array::from_fn(|d| cloud.periodic[d].then_some((0.0, cloud.size))),
     };
     let mut particles = particles::<D>(cloud);
-    let mut pairs = Pairs::new(cloud.kernel, cloud.smoothing_length, SPACING, skin, domain);
+    let mut pairs = Pairs::new(cloud.kernel, cloud.smoothing(), SPACING, skin, domain);
+    pairs.hold_also(cloud.smoothing_length);
+    pairs.set_second(cloud.kernel, cloud.second());
     pairs.set_instructions(cloud.instructions);
     pairs.set_precision(cloud.precision);
     pairs.rebuild(&mut particles);
     prop_assert!(!pairs.is_stale(&particles));
     for k in 0..particles.len() {
         let angle = k as f64;
-        let step = 0.5 * skin * cloud.moved;
+        // One part of the skin for motion, the rest for growth, as the second lists see it.
+        let part = match cloud.ratio {
+            None => 1.0,
+            Some(_) => (2.0 * angle).cos().abs(),
+        };
+        let allowed = 0.5 * skin * cloud.moved;
+        let step = part * allowed;
+        let growth = (1.0 - part) * allowed / (0.5 * cloud.kernel.support() * cloud.second);
+        let shrinks = k % 3 == 0;
+        particles.smoothing_length[k] *= if shrinks { 0.9 } else { 1.0 };
+        particles.smoothing_length[k] += if shrinks { 0.0 } else { growth };
         particles.position[k][0] += step * angle.cos();
         particles.position[k][1] += step * angle.sin();
     }
@@ -218,6 +277,15 @@ fn check<const D: usize>(cloud: &Cloud) -> Result<(), TestCaseError> {
         .collect();
     let p = &particles;
     compare("continuity", &Continuity, cloud, &domain, &mut pairs, p)?;
+    let mut also = Vec::new();
+    let constant = Smoothing::Constant(cloud.smoothing_length);
+    pairs.sweep_with(constant, &Continuity, p, |_| true, &mut also);
+    let slow = reference::sums(&Continuity, cloud.kernel, constant, &domain, p);
+    agree::<Continuity, D>("constant length", cloud, &domain, p, &also, &slow)?;
+    let second = pairs.second().expect("lists of a second range");
+    second.sweep(&Continuity, p, |_| true, &mut also);
+    let slow = reference::sums(&Continuity, cloud.kernel, cloud.second(), &domain, p);
+    agree::<Continuity, D>("second range", cloud, &domain, p, &also, &slow)?;
     let smoothed = Smoothed { weighted: &colour };
     compare("colour", &smoothed, cloud, &domain, &mut pairs, p)?;
     let gradient = Gradient { values: &colour };

@@ -7,6 +7,7 @@ use fearless_simd::Simd;
 
 use super::entries::Entries;
 use super::lane::{Lane, WIDTH};
+use super::smoothing::Reach;
 use crate::real::Real;
 use crate::vector::Vector;
 
@@ -36,11 +37,6 @@ pub(crate) struct Columns<const D: usize> {
 }
 
 impl<const D: usize> Columns<D> {
-    /// Empty, of cells as wide.
-    pub(crate) fn like(&self) -> Self {
-        Self::new(self.preferred_width)
-    }
-
     pub(crate) fn new(preferred_width: f64) -> Self {
         Self {
             preferred_width,
@@ -103,6 +99,11 @@ impl<const D: usize> Columns<D> {
         &self.order
     }
 
+    /// Number of columns.
+    pub(crate) fn count(&self) -> usize {
+        self.counts[..D - 1].iter().product()
+    }
+
     /// Column of a sorted row.
     pub(crate) fn column(&self, row: usize) -> u32 {
         self.column[row]
@@ -145,26 +146,27 @@ impl<const D: usize> Columns<D> {
         )
     }
 
-    /// Appends `offset` plus each sorted row within `reach` of the box from
-    /// `low` to `high`, in a fixed order.
+    /// Appends `offset` plus each sorted row no farther from the box from `low` to `high` than
+    /// `own` and the row reach together, in a fixed order.
     #[inline(always)]
     pub(crate) fn append_near<S: Simd>(
         &self,
         simd: S,
         (low, high): &([f64; D], [f64; D]),
-        reach: f64,
+        own: f64,
+        reach: &Reach,
         offset: u32,
         entries: &mut Entries,
     ) {
         if self.order.is_empty() {
             return;
         }
-        let reach_squared = reach * reach;
+        let farthest = own + reach.largest();
         let mut first = [0; 2];
         let mut last = [0; 2];
         for d in 0..D - 1 {
-            first[d] = self.cell_along(low[d] - reach, d);
-            last[d] = self.cell_along(high[d] + reach, d);
+            first[d] = self.cell_along(low[d] - farthest, d);
+            last[d] = self.cell_along(high[d] + farthest, d);
         }
         for ix in first[0]..=last[0] {
             let gap_x = self.gap(ix, 0, low, high);
@@ -174,12 +176,14 @@ impl<const D: usize> Columns<D> {
                 } else {
                     0.0
                 };
-                let left = reach_squared - gap_x * gap_x - gap_y * gap_y;
+                let column = self.snake(ix, iy);
+                let both = own + reach.of_column(column);
+                let left = both * both - gap_x * gap_x - gap_y * gap_y;
                 if left < 0.0 {
                     continue;
                 }
                 let half = left.sqrt();
-                let rows = self.rows(self.snake(ix, iy), low[D - 1] - half, high[D - 1] + half);
+                let rows = self.rows(column, low[D - 1] - half, high[D - 1] + half);
                 let mut row = rows.start;
                 while row < rows.end {
                     let mut square = Lane::splat(simd, 0.0);
@@ -189,7 +193,8 @@ impl<const D: usize> Columns<D> {
                         square = square + gap * gap;
                     }
                     let there = u8::MAX >> WIDTH.saturating_sub(rows.end - row);
-                    let near = square.not_above(Lane::splat(simd, reach_squared));
+                    let both = Lane::load_slice(simd, reach.rows_from(row)) + own;
+                    let near = square.not_above(both.square());
                     entries.append(offset + row as u32, near & there);
                     row += WIDTH;
                 }

@@ -1,8 +1,8 @@
 //! Which particles are near which cluster.
 //!
 //! A cluster is up to eight consecutive rows. Its list holds every
-//! row, and every periodic image (numbered after the rows), within reach of
-//! any of its particles. Candidates come from the columns, by the box around
+//! row, and every periodic image (numbered after the rows), no farther from
+//! any of its particles than both reach together. Candidates come from the columns, by the box around
 //! the cluster; a cluster that runs over the end of a column has one box for
 //! each part. A cluster ends early where the next row lies far away.
 
@@ -15,13 +15,14 @@ use super::columns::Columns;
 use super::entries::Entries;
 use super::lane::{Lane, WIDTH};
 use super::level::{Every, InstructionSets, WithSimd};
+use super::smoothing::Reach;
 use crate::real::Real;
 
 /// Rows that one task works on: a whole number of clusters.
 pub(crate) const ROWS_PER_CHUNK: usize = 128;
 
 /// Rows of a cluster lie no farther apart along any axis than so many times
-/// the reach of the lists, to either side of the first: well within what
+/// what two rows may reach together, to either side of the first: well within what
 /// mixed precision allows.
 const SPREAD: f64 = 4.0;
 
@@ -77,14 +78,13 @@ impl Chunk {
     }
 }
 
-/// Builds the lists of all clusters of `real`; image `k`
-/// is entry `real.len() + k`.
+/// Builds the lists of all clusters of the `real` points; number `k` of the `images`
+/// is entry `real.len() + k`. With each goes how far its points reach.
 pub(crate) fn build<const D: usize>(
     level: Level,
     chunks: &mut Vec<Chunk>,
-    real: &Columns<D>,
-    images: &Columns<D>,
-    reach: f64,
+    (real, reach): (&Columns<D>, &Reach),
+    (images, image_reach): (&Columns<D>, &Reach),
 ) {
     let rows = real.len();
     chunks.resize_with(rows.div_ceil(ROWS_PER_CHUNK), Chunk::default);
@@ -96,8 +96,9 @@ pub(crate) fn build<const D: usize>(
             rows,
             near: Near {
                 real,
-                images,
                 reach,
+                images,
+                image_reach,
             },
         };
         let done = Every::run(level, task);
@@ -145,15 +146,16 @@ impl<const D: usize> WithSimd for BuildChunk<'_, D> {
 #[derive(Clone, Copy)]
 struct Near<'a, const D: usize> {
     real: &'a Columns<D>,
+    reach: &'a Reach,
     images: &'a Columns<D>,
-    reach: f64,
+    image_reach: &'a Reach,
 }
 
 impl<const D: usize> Near<'_, D> {
     /// End of the cluster that begins with row `start`, at most `most`.
     #[inline(always)]
     fn cluster_from(&self, start: usize, most: usize) -> usize {
-        let spread = SPREAD * self.reach;
+        let spread = SPREAD * 2.0 * self.reach.largest();
         let far = |row: usize| {
             (0..D).any(|d| {
                 let offset = self.real.coordinate(row, d) - self.real.coordinate(start, d);
@@ -167,6 +169,8 @@ impl<const D: usize> Near<'_, D> {
     #[inline(always)]
     fn list<S: Simd>(&self, simd: S, rows: Range<usize>, entries: &mut Entries) {
         let begin = entries.length;
+        let own = &self.reach.rows_from(rows.start)[..rows.len()];
+        let farthest = own.iter().fold(0.0, |a: f64, &b| a.max(b));
         let mut start = rows.start;
         let mut parts = 0;
         while start < rows.end {
@@ -175,9 +179,9 @@ impl<const D: usize> Near<'_, D> {
                 .find(|&k| self.real.column(k) != column)
                 .unwrap_or(rows.end);
             let bounds = self.real.bounds_of(start..part);
-            (self.real).append_near(simd, &bounds, self.reach, 0, entries);
+            (self.real).append_near(simd, &bounds, farthest, self.reach, 0, entries);
             let images = self.real.len() as u32;
-            (self.images).append_near(simd, &bounds, self.reach, images, entries);
+            (self.images).append_near(simd, &bounds, farthest, self.image_reach, images, entries);
             start = part;
             parts += 1;
         }
@@ -189,27 +193,30 @@ impl<const D: usize> Near<'_, D> {
         entries.length = begin + self.near_any(simd, rows, list);
     }
 
-    /// Keeps the entries of `list` within reach of any of `rows`; gives how many.
+    /// Keeps the entries of `list` that any of `rows` reaches; gives how many.
     #[inline(always)]
     fn near_any<S: Simd>(&self, simd: S, rows: Range<usize>, list: &mut [u32]) -> usize {
         let own: [Lane<S>; D] = std::array::from_fn(|d| self.real.lane(simd, rows.clone(), d));
-        let reach_squared = Lane::splat(simd, self.reach * self.reach);
+        let own_reach = self.reach.rows_from(rows.start);
+        let own_reach = std::array::from_fn(|lane| own_reach[lane.min(rows.len() - 1)]);
+        let own_reach = Lane::load(simd, own_reach);
         let count = self.real.len();
         let mut kept = 0;
         for k in 0..list.len() {
             let entry = list[k] as usize;
-            let (columns, row) = if entry < count {
-                (self.real, entry)
+            let (columns, reach, row) = if entry < count {
+                (self.real, self.reach, entry)
             } else {
-                (self.images, entry - count)
+                (self.images, self.image_reach, entry - count)
             };
             let mut square = Lane::splat(simd, 0.0);
             for (d, own) in own.iter().enumerate() {
                 let offset = *own - columns.coordinate(row, d);
                 square = offset.mul_add(offset, square);
             }
+            let both = own_reach + reach.rows_from(row)[0];
             list[kept] = entry as u32;
-            kept += usize::from(square.not_above(reach_squared) != 0);
+            kept += usize::from(square.not_above(both.square()) != 0);
         }
         kept
     }

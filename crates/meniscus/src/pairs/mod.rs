@@ -5,6 +5,8 @@
 //! - `entries`: memory of the lists
 //! - `lists`: clusters of eight and what is near them
 //! - `images`: periodic images
+//! - `smoothing`: the smoothing length of a pair, and how far particles reach
+//! - `second`: lists of another range beside the first
 //! - `lane`: eight particles as one [`Real`](crate::Real), `narrow_lane`: the same in f32
 //! - `arithmetic`: f64, or mixed precision
 //! - `records`: what a sweep reads, packed
@@ -24,10 +26,13 @@ mod lists;
 mod narrow_lane;
 mod parallel;
 mod records;
+mod second;
+mod smoothing;
 mod sweep;
 
 pub use arithmetic::Precision;
 pub use images::Domain;
+pub use smoothing::Smoothing;
 
 use std::ops::Range;
 
@@ -39,7 +44,8 @@ use images::Image;
 use level::{Widest, is_fused, is_widest};
 use lists::Chunk;
 use rayon::prelude::*;
-use records::stride;
+use records::Records;
+use smoothing::Reach;
 
 use crate::kernel::{Kernel, WendlandC2};
 use crate::particles::{Particles, Scratch};
@@ -61,9 +67,11 @@ pub enum Instructions {
 #[derive(Debug)]
 pub struct Pairs<const D: usize> {
     kernel: Kernel,
-    smoothing_length: f64,
+    smoothing: Smoothing,
+    /// What lists are long enough for as well.
+    also: Option<Smoothing>,
     domain: Domain<D>,
-    support: f64,
+    spacing: f64,
     skin: f64,
     precision: Precision,
     level: Level,
@@ -73,8 +81,14 @@ pub struct Pairs<const D: usize> {
     sorted_images: Vec<Image<D>>,
     image_points: Vec<Vector<f64, D>>,
     chunks: Vec<Chunk>,
+    /// How far rows reached when the lists were built, and images.
+    reach: Reach,
+    image_reach: Reach,
     /// Positions when the lists were built.
     reference: Vec<Vector<f64, D>>,
+    /// Smoothing lengths then, where they vary.
+    reference_smoothing_length: Vec<f64>,
+    second: Option<Box<Pairs<D>>>,
     records: Buffers,
     scratch: Scratch<D>,
     builds: u64,
@@ -82,10 +96,14 @@ pub struct Pairs<const D: usize> {
 
 impl<const D: usize> Pairs<D> {
     /// An engine for particles about `spacing` metres apart, with lists that
-    /// reach `skin` metres further than the kernel's support.
+    /// reach `skin` metres further than the kernel's support. A number for `smoothing` is one
+    /// smoothing length for all pairs, m.
+    ///
+    /// Where it varies, terms have no code of their own for the default kernel; mixed
+    /// precision is as with one length for all.
     pub fn new(
         kernel: Kernel,
-        smoothing_length: f64,
+        smoothing: impl Into<Smoothing>,
         spacing: f64,
         skin: f64,
         domain: Domain<D>,
@@ -94,9 +112,10 @@ impl<const D: usize> Pairs<D> {
         let width = spacing * (lane::WIDTH as f64).powf(1.0 / D as f64);
         Self {
             kernel,
-            smoothing_length,
+            smoothing: smoothing.into(),
+            also: None,
             domain,
-            support: kernel.support() * smoothing_length,
+            spacing,
             skin,
             precision: Precision::Double,
             level: Level::new(),
@@ -106,7 +125,11 @@ impl<const D: usize> Pairs<D> {
             sorted_images: Vec::new(),
             image_points: Vec::new(),
             chunks: Vec::new(),
+            reach: Reach::default(),
+            image_reach: Reach::default(),
             reference: Vec::new(),
+            reference_smoothing_length: Vec::new(),
+            second: None,
             records: Buffers::default(),
             scratch: Scratch::default(),
             builds: 0,
@@ -120,26 +143,6 @@ impl<const D: usize> Pairs<D> {
             precision: self.precision,
             ..Self::new(self.kernel, smoothing_length, spacing, 0.0, domain)
         }
-    }
-
-    /// An engine for the same particles with another smoothing length, m, which
-    /// [`follow`](Self::follow)s this one.
-    pub(crate) fn with_range(&self, smoothing_length: f64) -> Self {
-        Self {
-            level: self.level,
-            precision: self.precision,
-            columns: self.columns.like(),
-            image_columns: self.columns.like(),
-            ..Self::new(self.kernel, smoothing_length, 1.0, self.skin, self.domain)
-        }
-    }
-
-    /// Lists the particles as `other` last sorted them, with the same skin.
-    pub(crate) fn follow(&mut self, other: &Self) {
-        self.skin = other.skin;
-        self.level = other.level;
-        let sorted = self.restore(&other.reference);
-        debug_assert!(sorted, "the other's columns are as wide");
     }
 
     /// Periodic axes.
@@ -159,11 +162,17 @@ impl<const D: usize> Pairs<D> {
             Instructions::Avx2 => Level::new(),
             Instructions::Portable => Level::baseline(),
         };
+        if let Some(second) = &mut self.second {
+            second.level = self.level;
+        }
     }
 
     /// Sets in what numbers the pairs are worked out.
     pub fn set_precision(&mut self, precision: Precision) {
         self.precision = precision;
+        if let Some(second) = &mut self.second {
+            second.precision = precision;
+        }
     }
 
     /// In what numbers the pairs are worked out: in mixed precision only where
@@ -187,25 +196,40 @@ impl<const D: usize> Pairs<D> {
         particles.permute(self.columns.order(), &mut self.scratch);
         self.reference.clear();
         self.reference.extend_from_slice(&particles.position);
-        self.list();
+        self.list(particles);
     }
 
     /// Builds the lists again that [`rebuild`](Self::rebuild) made for sorted
-    /// particles at `reference`; false if these are not sorted.
-    pub(crate) fn restore(&mut self, reference: &[Vector<f64, D>]) -> bool {
-        self.columns.sort(reference);
-        self.reference = reference.to_vec();
+    /// particles at `reference`, with these smoothing lengths; false if these are not sorted.
+    pub(crate) fn restore(&mut self, particles: &Particles<D>) -> bool {
+        self.columns.sort(&particles.position);
+        self.reference.clone_from(&particles.position);
         let sorted = (0..).zip(self.columns.order()).all(|(k, &row)| k == row);
         if sorted {
-            self.list();
+            self.list(particles);
         }
         sorted
     }
 
-    fn list(&mut self) {
+    fn list(&mut self, particles: &Particles<D>) {
+        self.list_sorted(None, particles);
+        self.follow(particles);
+    }
+
+    /// Builds the lists of particles that are sorted into columns, if not into its own.
+    fn list_sorted(&mut self, columns: Option<&Columns<D>>, particles: &Particles<D>) {
         self.builds += 1;
-        let reach = self.support + self.skin;
-        images::collect(&self.domain, &self.reference, reach, &mut self.images);
+        self.reference_smoothing_length.clear();
+        if self.smoothing_varies() {
+            (self.reference_smoothing_length).extend_from_slice(&particles.smoothing_length);
+        }
+        let mut reach = std::mem::take(&mut self.reach);
+        let of_row = |i| self.support_share(particles, i) + 0.5 * self.skin;
+        let columns = columns.unwrap_or(&self.columns);
+        reach.fill(columns, (0..particles.len()).map(of_row));
+        self.reach = reach;
+        let farthest = 2.0 * self.reach.largest();
+        images::collect(&self.domain, &self.reference, farthest, &mut self.images);
         self.image_points.clear();
         self.image_points.extend(
             (self.images.iter()).map(|image| self.reference[image.source as usize] + image.shift),
@@ -215,13 +239,28 @@ impl<const D: usize> Pairs<D> {
         self.sorted_images.clear();
         self.sorted_images
             .extend(order.iter().map(|&k| self.images[k as usize]));
+        let of_row = self.reach.rows_from(0);
+        let of_image = (self.sorted_images.iter()).map(|image| of_row[image.source as usize]);
+        self.image_reach.fill(&self.image_columns, of_image);
         lists::build(
             self.level,
             &mut self.chunks,
-            &self.columns,
-            &self.image_columns,
-            reach,
+            (columns, &self.reach),
+            (&self.image_columns, &self.image_reach),
         );
+    }
+
+    /// What row `i` adds to the support of its pairs, m.
+    fn support_share(&self, particles: &Particles<D>, i: usize) -> f64 {
+        let share = self.smoothing.share(particles, i);
+        let also = self.also.map_or(share, |also| also.share(particles, i));
+        self.kernel.support() * share.max(also)
+    }
+
+    /// Has the next lists hold all pairs of this smoothing length too, for
+    /// [`sweep_with`](Self::sweep_with).
+    pub fn hold_also(&mut self, smoothing: impl Into<Smoothing>) {
+        self.also = Some(smoothing.into());
     }
 
     /// How far lists reach beyond the kernel's support, m.
@@ -234,15 +273,46 @@ impl<const D: usize> Pairs<D> {
         self.skin = skin;
     }
 
-    /// Whether particles have moved so far that a pair may be missing from the lists.
+    /// Whether particles have moved so far, or smoothing lengths grown so much, that a pair may
+    /// be missing from the lists.
     pub fn is_stale(&self, particles: &Particles<D>) -> bool {
         self.reference.len() != particles.len()
-            || !all_within(0.5 * self.skin, &particles.position, &self.reference)
+            || !self.is_within_skin(particles)
+            || (self.second.as_ref()).is_some_and(|second| second.is_stale(particles))
+    }
+
+    /// Whether each particle's way from where it was, and what its reach has grown by, are
+    /// together at most half the skin; what is not a number is not.
+    fn is_within_skin(&self, particles: &Particles<D>) -> bool {
+        let varies = self.smoothing_varies();
+        let then = self.reach.rows_from(0);
+        (particles.position.par_iter(), &self.reference)
+            .into_par_iter()
+            .with_min_len(4096)
+            .enumerate()
+            .all(|(i, (now, reference))| {
+                let left = if varies {
+                    then[i] - self.support_share(particles, i)
+                } else {
+                    0.5 * self.skin
+                };
+                left >= 0.0 && (*now - *reference).norm_squared() <= left * left
+            })
     }
 
     /// Positions for which the lists were built.
     pub(crate) fn reference(&self) -> &[Vector<f64, D>] {
         &self.reference
+    }
+
+    /// Smoothing lengths for which the lists were built; none where they do not vary.
+    pub(crate) fn reference_smoothing_length(&self) -> &[f64] {
+        &self.reference_smoothing_length
+    }
+
+    /// Whether the smoothing length varies from pair to pair.
+    pub(crate) fn smoothing_varies(&self) -> bool {
+        matches!(self.smoothing, Smoothing::Mean { .. })
     }
 
     /// How often lists were built.
@@ -270,7 +340,11 @@ impl<const D: usize> Pairs<D> {
     pub fn bytes(&self) -> usize {
         let lists: usize = self.chunks.iter().map(Chunk::bytes).sum();
         let records = self.records.double.bytes() + self.records.mixed.bytes();
-        lists + records + self.reference.capacity() * size_of::<Vector<f64, D>>()
+        let reach = self.reach.bytes()
+            + self.image_reach.bytes()
+            + self.reference_smoothing_length.capacity() * size_of::<f64>();
+        let second = (self.second.as_ref()).map_or(0, |second| second.bytes());
+        lists + records + reach + second + self.reference.capacity() * size_of::<Vector<f64, D>>()
     }
 }
 
@@ -282,40 +356,62 @@ impl<const D: usize> Sweep<D> for Pairs<D> {
         active: impl Fn(Range<usize>) -> bool + Sync,
         sums: &mut Vec<T::Sum<f64>>,
     ) {
-        sums.resize(particles.len(), Record::read(&mut || 0.0));
-        let count = particles.len() + self.sorted_images.len();
-        let mut records = std::mem::take(&mut self.records);
-        if T::OFTEN && self.precision() == Precision::Mixed {
-            let packed = records.mixed.take(count * stride::<Mixed, T, D>());
-            let arithmetic = Mixed::new(self.support.max(self.skin));
-            self.sum_in(arithmetic, term, particles, &active, packed, sums);
-        } else {
-            let packed = records.double.take(count * stride::<Double, T, D>());
-            self.sum_in(Double, term, particles, &active, packed, sums);
-        }
-        self.records = records;
+        self.sweep_with(self.smoothing, term, particles, active, sums);
     }
 }
 
 impl<const D: usize> Pairs<D> {
+    /// [`sweep`](Sweep::sweep) with another smoothing length, which the lists must be long enough for:
+    /// not above that of any pair, or one that they [also hold](Self::hold_also).
+    pub fn sweep_with<T: PairTerm<D>>(
+        &mut self,
+        smoothing: Smoothing,
+        term: &T,
+        particles: &Particles<D>,
+        active: impl Fn(Range<usize>) -> bool + Sync,
+        sums: &mut Vec<T::Sum<f64>>,
+    ) {
+        sums.resize(particles.len(), Record::read(&mut || 0.0));
+        let mut records = std::mem::take(&mut self.records);
+        if T::OFTEN && self.precision() == Precision::Mixed {
+            let support = 2.0 * self.reach.largest() - self.skin;
+            let arithmetic = Mixed::new(support.max(self.skin));
+            let buffer = &mut records.mixed;
+            self.sum_in(
+                arithmetic, smoothing, term, particles, &active, buffer, sums,
+            );
+        } else {
+            let buffer = &mut records.double;
+            self.sum_in(Double, smoothing, term, particles, &active, buffer, sums);
+        }
+        self.records = records;
+    }
+
+    #[allow(clippy::too_many_arguments)]
     fn sum_in<N: Arithmetic, T: PairTerm<D>>(
         &self,
         arithmetic: N,
+        smoothing: Smoothing,
         term: &T,
         particles: &Particles<D>,
         active: Active<'_>,
-        packed: &mut [N::Packed],
+        buffer: &mut LineBuffer<N::Packed>,
         sums: &mut [T::Sum<f64>],
     ) {
         let images = &self.sorted_images;
-        let records = records::pack(arithmetic, term, particles, images, packed);
-        let kernel = ScaledKernel::new(self.kernel, self.smoothing_length, D);
         let (level, chunks) = (self.level, &self.chunks);
-        if T::OFTEN && self.kernel == Kernel::WendlandC2 && is_widest(level) {
+        let kernel = match smoothing {
+            Smoothing::Constant(h) => ScaledKernel::new(self.kernel, h, D),
+            Smoothing::Mean { .. } => ScaledKernel::varying(self.kernel, D),
+        };
+        let is_default = self.kernel == Kernel::WendlandC2;
+        if T::OFTEN && is_default && !kernel.varies() && is_widest(level) {
             // The default kernel is worth code of its own.
             let kernel = kernel.compiled::<WendlandC2>();
+            let records = Records::new(arithmetic, smoothing, term, particles, images, buffer);
             sweep::run::<Widest, _, _, _, D>(level, term, kernel, chunks, records, active, sums);
         } else {
+            let records = Records::new(arithmetic, smoothing, term, particles, images, buffer);
             sweep::run::<N::InstructionSets, _, _, _, D>(
                 level, term, kernel, chunks, records, active, sums,
             );
@@ -332,12 +428,4 @@ type Active<'a> = &'a (dyn Fn(Range<usize>) -> bool + Sync);
 struct Buffers {
     double: LineBuffer<f64>,
     mixed: LineBuffer<u32>,
-}
-
-/// Whether no row of `a` is farther than `distance` from that of `b`; a NaN is.
-fn all_within<const D: usize>(distance: f64, a: &[Vector<f64, D>], b: &[Vector<f64, D>]) -> bool {
-    a.par_iter()
-        .with_min_len(4096)
-        .zip(b)
-        .all(|(a, b)| (*a - *b).norm_squared() <= distance * distance)
 }

@@ -1,15 +1,18 @@
-//! What a sweep reads of every particle, packed: its position, then the record
-//! of the term, then nothing up to a whole vector.
+//! What a sweep reads of every particle, packed: its position, its share of the
+//! smoothing length where that may vary, the record of the term, then nothing up
+//! to a whole vector.
 
 use std::marker::PhantomData;
 use std::ops::Range;
 
 use super::arithmetic::Arithmetic;
+use super::buffer::LineBuffer;
 use super::images::Image;
 use super::lane::WIDTH;
 use super::parallel::for_each_part;
+use super::smoothing::Smoothing;
 use crate::particles::Particles;
-use crate::term::{PairTerm, Record};
+use crate::term::{PairTerm, Record, Shape};
 
 /// Rows, or images, that one task packs.
 const ROWS_PER_TASK: usize = 1024;
@@ -17,44 +20,52 @@ const ROWS_PER_TASK: usize = 1024;
 /// Most numbers of a record.
 pub(crate) const MOST_REALS: usize = 64;
 
-/// Packed records of a term: of the rows, then of the images.
-pub(crate) struct Records<'a, N: Arithmetic, T, const D: usize> {
+/// Packed records of a term, for a kernel of the shape `Q`: of the rows, then of the images.
+pub(crate) struct Records<'a, N: Arithmetic, Q, T, const D: usize> {
     pub(crate) arithmetic: N,
     numbers: &'a [N::Packed],
-    term: PhantomData<T>,
+    term: PhantomData<(Q, T)>,
 }
 
-impl<N: Arithmetic, T, const D: usize> Clone for Records<'_, N, T, D> {
+impl<N: Arithmetic, Q, T, const D: usize> Clone for Records<'_, N, Q, T, D> {
     #[inline(always)]
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<N: Arithmetic, T, const D: usize> Copy for Records<'_, N, T, D> {}
+impl<N: Arithmetic, Q, T, const D: usize> Copy for Records<'_, N, Q, T, D> {}
 
-/// Numbers from one record of `N` and `T` to the next: whole vectors of 32 bytes.
-pub(crate) const fn stride<N: Arithmetic, T: PairTerm<D>, const D: usize>() -> usize {
-    let reals = D + <T::Record<f64> as Record<f64>>::LENGTH;
-    reals.next_multiple_of(32 / size_of::<N::Packed>())
+/// Where in a row of numbers things stand.
+#[derive(Clone, Copy)]
+struct Layout {
+    /// Before the record of the term.
+    first: usize,
+    /// From one row to the next.
+    stride: usize,
 }
 
-/// Packs records of all rows and images of `term` into `numbers`: one
-/// [`stride`] each.
-pub(crate) fn pack<'a, N: Arithmetic, T: PairTerm<D>, const D: usize>(
+/// Packs records of all rows and images, the share of the smoothing length with them where the
+/// layout has a place for it.
+fn pack<N: Arithmetic, T: PairTerm<D>, const D: usize>(
     arithmetic: N,
+    layout: Layout,
+    smoothing: Smoothing,
     term: &T,
     particles: &Particles<D>,
     images: &[Image<D>],
-    numbers: &'a mut [N::Packed],
-) -> Records<'a, N, T, D> {
-    let stride = stride::<N, T, D>();
+    numbers: &mut [N::Packed],
+) {
+    let Layout { first, stride } = layout;
     let (own, shifted) = numbers.split_at_mut(particles.len() * stride);
     for_each_part(own, ROWS_PER_TASK * stride, &|part, own| {
         let rows = part * ROWS_PER_TASK..;
         for (packed, i) in own.chunks_exact_mut(stride).zip(rows) {
             arithmetic.pack_position(&particles.position[i], packed);
-            let mut k = D;
+            if first > D {
+                packed[D] = N::pack(smoothing.share(particles, i));
+            }
+            let mut k = first;
             term.record(particles, i).write(&mut |value| {
                 packed[k] = N::pack(value);
                 k += 1;
@@ -69,15 +80,38 @@ pub(crate) fn pack<'a, N: Arithmetic, T: PairTerm<D>, const D: usize>(
             arithmetic.pack_position(&(particles.position[source] + image.shift), packed);
         }
     });
-    Records {
-        arithmetic,
-        numbers,
-        term: PhantomData,
-    }
 }
 
-impl<N: Arithmetic, T: PairTerm<D>, const D: usize> Records<'_, N, T, D> {
-    const STRIDE: usize = stride::<N, T, D>();
+impl<'a, N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Records<'a, N, Q, T, D> {
+    /// Numbers before the record of the term.
+    pub(crate) const FIRST: usize = D + Q::MAY_VARY as usize;
+    /// Numbers from one row to the next: whole vectors of 32 bytes.
+    const STRIDE: usize = (Self::FIRST + <T::Record<f64> as Record<f64>>::LENGTH)
+        .next_multiple_of(32 / size_of::<N::Packed>());
+
+    /// Packs records of all rows and images of `term` into `buffer`.
+    pub(crate) fn new(
+        arithmetic: N,
+        smoothing: Smoothing,
+        term: &T,
+        particles: &Particles<D>,
+        images: &[Image<D>],
+        buffer: &'a mut LineBuffer<N::Packed>,
+    ) -> Self {
+        let numbers = buffer.take((particles.len() + images.len()) * Self::STRIDE);
+        let layout = Layout {
+            first: Self::FIRST,
+            stride: Self::STRIDE,
+        };
+        pack(
+            arithmetic, layout, smoothing, term, particles, images, numbers,
+        );
+        Self {
+            arithmetic,
+            numbers,
+            term: PhantomData,
+        }
+    }
 
     /// Number of records.
     pub(crate) fn len(&self) -> usize {

@@ -32,7 +32,7 @@ pub(crate) fn run<I: InstructionSets, N: Arithmetic, Q: Shape, T: PairTerm<D>, c
     term: &T,
     kernel: ScaledKernel<Q>,
     chunks: &[Chunk],
-    records: Records<'_, N, T, D>,
+    records: Records<'_, N, Q, T, D>,
     active: Active<'_>,
     sums: &mut [T::Sum<f64>],
 ) {
@@ -53,11 +53,11 @@ pub(crate) fn run<I: InstructionSets, N: Arithmetic, Q: Shape, T: PairTerm<D>, c
     });
 }
 
-struct Task<'a, N: Arithmetic, Q, T: PairTerm<D>, const D: usize> {
+struct Task<'a, N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> {
     term: &'a T,
     kernel: ScaledKernel<Q>,
     chunk: &'a Chunk,
-    records: Records<'a, N, T, D>,
+    records: Records<'a, N, Q, T, D>,
     active: Active<'a>,
     /// First row of the chunk.
     first: usize,
@@ -105,7 +105,13 @@ impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Task<'_, N, Q, T, 
         }
         let place: [N::Place<S>; D] =
             std::array::from_fn(|d| N::load_place(simd, records.column(&rows, d)));
-        let mut column = D;
+        let share = if Q::MAY_VARY {
+            N::load(simd, records.column(&rows, D))
+        } else {
+            N::splat(simd, 0.0)
+        };
+        let own_place = OwnPlace { place, share };
+        let mut column = Records::<N, Q, T, D>::FIRST;
         let own = T::Record::<N::Lane<S>>::read(&mut || {
             column += 1;
             N::load(simd, records.column(&rows, column - 1))
@@ -122,7 +128,7 @@ impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Task<'_, N, Q, T, 
         let halves = arithmetic.halves(simd);
         // SAFETY: `run` has seen that every entry, and the zeros behind them, are records.
         let pair = unsafe { records.pair(&entries[..2], &nobody, lonely == 0) };
-        let mut next = approach::<N, _, _, D>(simd, halves, arithmetic, &kernel, &place, pair);
+        let mut next = approach::<N, _, _, D>(simd, halves, arithmetic, &kernel, &own_place, pair);
         let windows = entries.windows(WINDOW).step_by(N::AT_ONCE);
         for (n, window) in (0..list.len()).step_by(N::AT_ONCE).zip(windows) {
             let those = &window[N::AT_ONCE..];
@@ -133,10 +139,10 @@ impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Task<'_, N, Q, T, 
             // The root of the next pair runs while this one is worked out.
             // SAFETY: as above.
             let pair = unsafe { records.pair(&those[..2], &nobody, lonely == n + N::AT_ONCE) };
-            next = approach::<N, _, _, D>(simd, halves, arithmetic, &kernel, &place, pair);
+            next = approach::<N, _, _, D>(simd, halves, arithmetic, &kernel, &own_place, pair);
             // SAFETY: as above.
             let pair = unsafe { records.pair(&window[..2], &nobody, lonely == n) };
-            let mut column = D;
+            let mut column = Records::<N, Q, T, D>::FIRST;
             let other = T::Record::<N::Lane<S>>::read(&mut || {
                 column += 1;
                 N::broadcast(halves, pair.map(|record| record[column - 1]))
@@ -148,21 +154,29 @@ impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Task<'_, N, Q, T, 
     }
 }
 
-/// The distance of a neighbour, or of two, from the particles at `place`.
+/// Where the particles of a cluster are, and their shares of the smoothing length if it varies.
+struct OwnPlace<P, L, const D: usize> {
+    place: [P; D],
+    share: L,
+}
+
+/// The distance of a neighbour, or of two, from the particles at `own`.
 #[inline(always)]
 fn approach<N: Arithmetic, S: Simd, Q: Shape, const D: usize>(
     simd: S,
     halves: N::Halves<S>,
     arithmetic: N,
     kernel: &ScaledKernel<Q>,
-    place: &[N::Place<S>; D],
+    own: &OwnPlace<N::Place<S>, N::Lane<S>, D>,
     pair: [&[N::Packed]; 2],
 ) -> Approach<N::Lane<S>, D> {
     let mut offset = Vector([N::splat(simd, 0.0); D]);
     for d in 0..D {
-        offset[d] = arithmetic.offset(halves, place[d], pair.map(|record| record[d]));
+        offset[d] = arithmetic.offset(halves, own.place[d], pair.map(|record| record[d]));
     }
-    kernel.approach::<_, D>(offset)
+    kernel.approach::<_, D>(offset, || {
+        own.share + N::broadcast(halves, pair.map(|record| record[D]))
+    })
 }
 
 /// Transposes a sum of lanes into one sum per row.

@@ -42,7 +42,7 @@ impl<const D: usize> Rates<D> {
         }
         self.update_pressure(particles);
         if let Some(fluid) = &mut self.van_der_waals {
-            fluid.prepare(&self.pairs, particles, dt);
+            fluid.prepare(&mut self.pairs, particles, dt);
         }
     }
 

@@ -70,7 +70,7 @@ impl<const D: usize> Rates<D> {
         scheme: Scheme,
         fluids: Vec<Fluid>,
         particles: &Particles<D>,
-        pairs: Pairs<D>,
+        mut pairs: Pairs<D>,
     ) -> Self {
         let first = particles.mass.first().copied();
         let same = particles.mass.iter().all(|&mass| Some(mass) == first);
@@ -85,7 +85,7 @@ impl<const D: usize> Rates<D> {
             pairs.domain(),
         );
         let van_der_waals =
-            (scheme.van_der_waals).map(|model| Cohesive::new(model, &scheme, &fluids, &pairs));
+            (scheme.van_der_waals).map(|model| Cohesive::new(model, &scheme, &fluids, &mut pairs));
         let pull = match scheme.surface_tension {
             Some(SurfaceTension::Pairwise(model)) => {
                 let resolution = Resolution {

@@ -41,6 +41,7 @@ impl<const D: usize> Cloud<D> {
             heating: _,
             heating_gain: _,
             mass,
+            smoothing_length,
             fluid,
             body,
             id,
@@ -61,7 +62,11 @@ impl<const D: usize> Cloud<D> {
         let rows = || id.iter().map(|&i| i as usize);
         position.clear();
         position.extend(rows().map(|i| all.position[i]));
-        for (column, of_all) in [(density, &all.density), (mass, &all.mass)] {
+        for (column, of_all) in [
+            (density, &all.density),
+            (mass, &all.mass),
+            (smoothing_length, &all.smoothing_length),
+        ] {
             column.clear();
             column.extend(rows().map(|i| of_all[i]));
         }

@@ -1,0 +1,95 @@
+//! The smoothing length of a pair, and how far each particle reaches for others.
+
+use super::columns::Columns;
+use super::lane::WIDTH;
+use crate::particles::Particles;
+
+/// The smoothing length h_ij of a pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Smoothing {
+    /// One for all pairs, m.
+    Constant(f64),
+    /// `factor` (h_i + h_j) / 2, with those of the particles: the same seen from either, so that
+    /// forces stay antisymmetric.
+    Mean {
+        /// 1 for the mean itself.
+        factor: f64,
+    },
+}
+
+impl From<f64> for Smoothing {
+    fn from(smoothing_length: f64) -> Self {
+        Smoothing::Constant(smoothing_length)
+    }
+}
+
+impl Smoothing {
+    /// h_ij of rows `i` and `j`, m.
+    pub fn of_pair<const D: usize>(self, particles: &Particles<D>, i: usize, j: usize) -> f64 {
+        match self {
+            Smoothing::Constant(h) => h,
+            Smoothing::Mean { .. } => self.share(particles, i) + self.share(particles, j),
+        }
+    }
+
+    /// What row `i` brings to h_ij, m.
+    pub(crate) fn share<const D: usize>(self, particles: &Particles<D>, i: usize) -> f64 {
+        match self {
+            Smoothing::Constant(h) => 0.5 * h,
+            Smoothing::Mean { factor } => 0.5 * factor * particles.smoothing_length[i],
+        }
+    }
+}
+
+/// How far sorted points reach: the list of one holds those that are no farther away than both
+/// reach together.
+#[derive(Debug, Default)]
+pub(crate) struct Reach {
+    /// Of each point, m, and a lane of zeros.
+    of_row: Vec<f64>,
+    /// The largest of each column, m.
+    of_column: Vec<f64>,
+    /// The largest of all, m.
+    largest: f64,
+}
+
+impl Reach {
+    /// Those of the sorted points of `columns`, m.
+    pub(crate) fn fill<const D: usize>(
+        &mut self,
+        columns: &Columns<D>,
+        of_row: impl Iterator<Item = f64>,
+    ) {
+        self.of_row.clear();
+        self.of_row.extend(of_row.take(columns.len()));
+        self.of_column.clear();
+        self.of_column.resize(columns.count(), 0.0);
+        for (row, &reach) in self.of_row.iter().enumerate() {
+            let largest = &mut self.of_column[columns.column(row) as usize];
+            *largest = largest.max(reach);
+        }
+        self.largest = self.of_column.iter().fold(0.0, |a, &b| a.max(b));
+        self.of_row.extend([0.0; WIDTH]);
+    }
+
+    /// Of sorted points from `row` on, m.
+    #[inline(always)]
+    pub(crate) fn rows_from(&self, row: usize) -> &[f64] {
+        &self.of_row[row..]
+    }
+
+    /// The largest of a column, m.
+    #[inline(always)]
+    pub(crate) fn of_column(&self, column: usize) -> f64 {
+        self.of_column[column]
+    }
+
+    /// The largest of all, m.
+    pub(crate) fn largest(&self) -> f64 {
+        self.largest
+    }
+
+    pub(crate) fn bytes(&self) -> usize {
+        (self.of_row.capacity() + self.of_column.capacity()) * size_of::<f64>()
+    }
+}
