@@ -33,6 +33,7 @@
 //! - `doubts`: warnings about what can be run, but not believed
 //! - `units`, `diagnostic`, `template`
 
+mod adaptive_smoothing;
 mod bodies;
 mod case;
 mod diagnostic;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use meniscus::scheme::{Fluid, Scheme};
 use toml::de::{DeTable, DeValue};
 
+use crate::adaptive_smoothing;
 use crate::bodies::{Filled, fill_all};
 use crate::case::Case;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
@@ -103,6 +104,7 @@ fn assemble(
     warn_of_idle_surface_tension(&draft, problems);
     problems.extend(doubts(&draft, &volumes));
     pairwise::check(&draft, problems);
+    adaptive_smoothing::check(&draft, problems);
     if problems.iter().any(|p| p.severity == Severity::Error) {
         return None;
     }
@@ -120,6 +122,7 @@ fn assemble(
         scheme: Scheme {
             kernel: draft.kernel,
             smoothing_length: draft.smoothing_length,
+            adaptive_smoothing: physics.adaptive_smoothing,
             density: physics.density,
             density_diffusion: physics.density_diffusion,
             pressure: physics.pressure,

@@ -351,6 +351,9 @@ pub fn frame<const D: usize>(simulation: &Simulation<D>) -> Frame {
         scalar("fluid", "", &|i| f64::from(p.fluid[i])),
         scalar("body", "", &|i| f64::from(p.body[i])),
     ];
+    if simulation.scheme().adaptive_smoothing.is_some() {
+        fields.push(scalar("smoothing length", "m", &|i| p.smoothing_length[i]));
+    }
     if !simulation.wall_loads().is_empty() {
         let is_wall = |i: usize| f64::from(u8::from(simulation.is_wall(p.body[i])));
         fields.push(scalar("wall", "", &is_wall));

@@ -211,7 +211,7 @@ pub(crate) fn diagnose<const D: usize>(
             own_force -= *part;
         }
     }
-    let (kernel, h) = (rates.scheme.kernel, rates.scheme.smoothing_length);
+    let (kernel, h) = (rates.scheme.kernel, rates.pairs.smoothing());
     let rate: f64 = reference::sum(&Continuity, kernel, h, domain, particles, i);
     // A value that is not a number counts as the strongest.
     let strength = |a: &Vector<f64, D>| {
@@ -259,7 +259,7 @@ fn parts_of_a_liquid<const D: usize>(
         viscosity: None,
         ..whole
     };
-    let (kernel, h) = (rates.scheme.kernel, rates.scheme.smoothing_length);
+    let (kernel, h) = (rates.scheme.kernel, rates.pairs.smoothing());
     let alone = |term: Momentum<Walled>| reference::sum(&term, kernel, h, domain, particles, i);
     vec![
         (

@@ -3,6 +3,7 @@
 pub use crate::fluid::Fluid;
 use crate::kernel::Kernel;
 use crate::pairs::Precision;
+pub use crate::physics::adaptive_smoothing::AdaptiveSmoothing;
 pub use crate::physics::body_force::BodyForce;
 pub use crate::physics::density_diffusion::{DensityDiffusion, DiffusionForm};
 pub use crate::physics::momentum::PressureForm;
@@ -46,8 +47,10 @@ pub enum TimeStep {
 pub struct Scheme {
     /// Smoothing kernel.
     pub kernel: Kernel,
-    /// Smoothing length h, m.
+    /// Smoothing length h, m; h_0 where lengths follow density.
     pub smoothing_length: f64,
+    /// How smoothing lengths follow density, if they do; then density is by summation.
+    pub adaptive_smoothing: Option<AdaptiveSmoothing>,
     /// How density is found.
     pub density: DensityForm,
     /// Diffusion of density, if any. Not with density by summation.
@@ -87,6 +90,7 @@ impl Scheme {
         Self {
             kernel: Kernel::WendlandC2,
             smoothing_length,
+            adaptive_smoothing: None,
             density: DensityForm::Continuity,
             density_diffusion: None,
             pressure: PressureForm::OverDensitySquared,

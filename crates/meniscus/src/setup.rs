@@ -14,7 +14,9 @@ use crate::physics::surface_tension::pairwise::Pairwise;
 use crate::physics::surface_tension::pairwise::akinci::Akinci;
 use crate::physics::surface_tension::pairwise::lennard_jones::LennardJones;
 use crate::physics::wall::Adhesion;
-use crate::scheme::{DensityDiffusion, DensityForm, Scheme, TimeStep};
+use crate::scheme::{
+    AdaptiveSmoothing, DensityDiffusion, DensityForm, PressureForm, Scheme, TimeStep,
+};
 pub(crate) use van_der_waals::check_density;
 
 /// Spacings that the kernel must reach for the colour of a surface to fall off over more than
@@ -138,6 +140,7 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
     }
     validate_pairwise(setup)?;
     van_der_waals::validate(setup)?;
+    validate_adaptive_smoothing(scheme).map_err(SetupError)?;
     for (name, value) in at_least_zero {
         if !(value >= 0.0 && value.is_finite()) {
             return complain(format!(
@@ -190,6 +193,57 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
                 "particle {i} has a place, velocity or mass that is impossible: {particle:?}"
             ));
         }
+    }
+    Ok(())
+}
+
+/// What smoothing lengths that follow density ask of a scheme.
+fn validate_adaptive_smoothing(scheme: &Scheme) -> Result<(), String> {
+    let Some(AdaptiveSmoothing { k, epsilon, grad_h }) = scheme.adaptive_smoothing else {
+        return Ok(());
+    };
+    if !(k > 0.0 && k.is_finite()) {
+        return Err(format!(
+            "k of adaptive smoothing must be positive and finite, found {k}"
+        ));
+    }
+    if !(0.0..=1.0).contains(&epsilon) {
+        return Err(format!(
+            "epsilon of adaptive smoothing must be from 0 to 1, found {epsilon}"
+        ));
+    }
+    if scheme.density != DensityForm::Summation {
+        return Err(
+            "adaptive smoothing takes density by summation: continuity knows nothing of a change of smoothing lengths"
+                .into(),
+        );
+    }
+    if !scheme.walls.is_empty() {
+        return Err(
+            "adaptive smoothing takes no walls: their particles are part of no density that smoothing lengths could follow"
+                .into(),
+        );
+    }
+    if matches!(
+        scheme.surface_tension,
+        Some(SurfaceTension::Continuum(_) | SurfaceTension::Pairwise(_))
+    ) {
+        return Err(
+            "this model of surface tension is calibrated for one smoothing length, and cannot go with adaptive smoothing"
+                .into(),
+        );
+    }
+    if grad_h && scheme.van_der_waals.is_some() {
+        return Err(
+            "a van der Waals fluid heats by the work of its forces, whatever they are, and needs no grad-h terms to conserve energy"
+                .into(),
+        );
+    }
+    if grad_h && scheme.pressure != PressureForm::OverDensitySquared {
+        return Err(
+            "the grad-h terms belong to the pressure form over-density-squared: no energy is behind the others with density by summation"
+                .into(),
+        );
     }
     Ok(())
 }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::divergence::{Circumstances, Diverged, Failure, check};
 use crate::fluid::Fluid;
-use crate::pairs::{Domain, Instructions, Pairs};
+use crate::pairs::{Domain, Instructions, Pairs, Smoothing};
 use crate::particles::Particles;
 use crate::physics::surface_tension::jancik_hyhlik::Surface;
 use crate::physics::van_der_waals::Flow;
@@ -97,13 +97,16 @@ impl<const D: usize> Simulation<D> {
         for i in 0..particles.len() {
             particles.density[i] = fluids[particles.fluid[i] as usize].density;
         }
-        let mut pairs = Pairs::new(
-            scheme.kernel,
-            scheme.smoothing_length,
-            spacing,
-            SKIN * spacing,
-            domain,
-        );
+        particles.smoothing_length.fill(scheme.smoothing_length);
+        let smoothing = match scheme.adaptive_smoothing {
+            Some(_) => Smoothing::Mean { factor: 1.0 },
+            None => Smoothing::Constant(scheme.smoothing_length),
+        };
+        let skin = SKIN * spacing;
+        let mut pairs = Pairs::new(scheme.kernel, smoothing, spacing, skin, domain);
+        if scheme.adaptive_smoothing.is_some() {
+            pairs.hold_also(scheme.smoothing_length);
+        }
         pairs.set_precision(scheme.precision);
         let support = scheme.kernel.support() * scheme.smoothing_length;
         let limits = StepLimits::new(&fluids, scheme.smoothing_length, support, 0.0, 0.0);
@@ -208,10 +211,14 @@ impl<const D: usize> Simulation<D> {
         };
         self.largest_speed = largest(&self.particles.velocity);
         let largest_acceleration = largest(&self.particles.acceleration);
-        let support = scheme.kernel.support() * scheme.smoothing_length;
+        let shortest = match scheme.adaptive_smoothing {
+            None => scheme.smoothing_length,
+            Some(_) => shortest(&self.particles.smoothing_length),
+        };
+        let support = scheme.kernel.support() * shortest;
         let limits = StepLimits::new(
             &self.rates.fluids,
-            scheme.smoothing_length,
+            shortest,
             support,
             self.largest_speed,
             largest_acceleration,
@@ -397,4 +404,9 @@ impl<const D: usize> Simulation<D> {
     pub fn snapshot(&self) -> Snapshot {
         Snapshot::of(self)
     }
+}
+
+/// The shortest of some lengths, m.
+fn shortest(lengths: &[f64]) -> f64 {
+    (lengths.par_iter().with_min_len(ROWS_PER_TASK).copied()).reduce(|| f64::INFINITY, f64::min)
 }

@@ -9,7 +9,7 @@ use meniscus::physics::surface_tension::pairwise::Pairwise;
 use meniscus::physics::surface_tension::pairwise::akinci::{Akinci, Curvature};
 use meniscus::physics::wall::layout::Layers;
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::{Adhesion, SurfaceTension, Wall};
+use meniscus::scheme::{AdaptiveSmoothing, Adhesion, DensityForm, SurfaceTension, Wall};
 use meniscus::{Particle, Precision, Setup, Simulation, Snapshot, Vector};
 
 fn march<const D: usize>(simulation: &mut Simulation<D>, steps: u64) {
@@ -118,6 +118,18 @@ fn pairwise_forces_keep_the_promise_too() {
         adhesion: Adhesion::Coefficient(20.0),
         ..Wall::new(1)
     }];
+    same_on_threads(setup.clone());
+    same_after_resume(setup);
+}
+
+#[test]
+fn adaptive_smoothing_keeps_the_promise_too() {
+    let mut setup = free_drop::<2>(0.12, 0.1);
+    setup.scheme.density = DensityForm::Summation;
+    setup.scheme.adaptive_smoothing = Some(AdaptiveSmoothing {
+        grad_h: true,
+        ..AdaptiveSmoothing::default()
+    });
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }

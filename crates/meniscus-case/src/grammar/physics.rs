@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use meniscus::scheme::{
-    BodyForce, DensityDiffusion, DensityForm, DiffusionForm, Integrator, PressureForm,
-    SurfaceTension, TimeStep, ViscosityForm,
+    AdaptiveSmoothing, BodyForce, DensityDiffusion, DensityForm, DiffusionForm, Integrator,
+    PressureForm, SurfaceTension, TimeStep, ViscosityForm,
 };
 
 use super::motion::swing;
@@ -15,6 +15,9 @@ use crate::units;
 /// The choices of a scheme that are physics.
 pub(crate) struct Physics {
     pub density: DensityForm,
+    pub adaptive_smoothing: Option<AdaptiveSmoothing>,
+    /// Where it stands.
+    pub adaptive_smoothing_span: Range<usize>,
     pub density_diffusion: Option<DensityDiffusion>,
     pub pressure: PressureForm,
     pub artificial_viscosity: f64,
@@ -31,6 +34,7 @@ pub(crate) struct Physics {
 
 pub(super) fn physics(node: &mut Node<'_>) -> Physics {
     let mut surface_tension_span = 0..0;
+    let mut adaptive_smoothing_span = 0..0;
     node.table(|fields| Physics {
         density: fields.or("density", "'continuity'", "How density is found.", |node| {
             let names = [
@@ -40,6 +44,15 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
             ];
             node.name_of("density form", &names)
         }),
+        adaptive_smoothing: fields.optional(
+            "adaptive_smoothing",
+            "Smoothing lengths that follow density, by adaptive kernel estimation.",
+            |node| {
+                adaptive_smoothing_span = node.span();
+                adaptive_smoothing(node)
+            },
+        ),
+        adaptive_smoothing_span: adaptive_smoothing_span.clone(),
         density_diffusion: fields.or(
             "density_diffusion",
             "'none'",
@@ -128,6 +141,36 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
                     |node| node.choice("time step", TIME_STEP),
                 )
             },
+        ),
+    })
+}
+
+fn adaptive_smoothing(node: &mut Node<'_>) -> AdaptiveSmoothing {
+    node.table(|fields| AdaptiveSmoothing {
+        k: fields.or("k", "0.9", "Factor on all smoothing lengths.", |node| {
+            node.number(Sign::Positive)
+        }),
+        epsilon: fields.or(
+            "epsilon",
+            "0.6",
+            "Power of density that lengths fall with, 0 to 1.",
+            |node| {
+                let epsilon = node.number(Sign::NotNegative);
+                if epsilon > 1.0 {
+                    node.fail(
+                        format!("`epsilon` is {epsilon}"),
+                        "more than 1",
+                        "0.5 to 0.8 are usual, 0 gives one length for all",
+                    );
+                }
+                epsilon
+            },
+        ),
+        grad_h: fields.or(
+            "forces",
+            "'plain'",
+            "\"grad-h\" conserves energy as lengths change, for two more sums.",
+            |node| node.name_of("form of forces", &[("plain", false), ("grad-h", true)]),
         ),
     })
 }

@@ -310,6 +310,11 @@ impl<const D: usize> Pairs<D> {
         &self.reference_smoothing_length
     }
 
+    /// The smoothing length of pairs.
+    pub(crate) fn smoothing(&self) -> Smoothing {
+        self.smoothing
+    }
+
     /// Whether the smoothing length varies from pair to pair.
     pub(crate) fn smoothing_varies(&self) -> bool {
         matches!(self.smoothing, Smoothing::Mean { .. })

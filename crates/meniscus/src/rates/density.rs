@@ -35,6 +35,7 @@ impl<const D: usize> Rates<D> {
                     .for_each(|(density, rate)| *density += dt * *density * rate);
             }
             DensityForm::Summation => {
+                self.adapt_smoothing(particles);
                 self.pairs
                     .sweep(&Summation, particles, |_| true, &mut self.scalars);
                 particles.density.copy_from_slice(&self.scalars);
@@ -43,6 +44,21 @@ impl<const D: usize> Rates<D> {
         self.update_pressure(particles);
         if let Some(fluid) = &mut self.van_der_waals {
             fluid.prepare(&mut self.pairs, particles, dt);
+        }
+    }
+
+    /// Gives particles the smoothing lengths that follow density, and builds new lists where these
+    /// are too short for them.
+    fn adapt_smoothing(&mut self, particles: &mut Particles<D>) {
+        let Some(model) = self.scheme.adaptive_smoothing else {
+            return;
+        };
+        let h = self.scheme.smoothing_length;
+        model.adapt(h, &mut self.pairs, particles, &mut self.pilot);
+        if self.pairs.is_stale(particles) {
+            self.pairs.rebuild(particles);
+            // The pilot in the new order of rows, and lengths as a resumed run finds them.
+            model.adapt(h, &mut self.pairs, particles, &mut self.pilot);
         }
     }
 

@@ -20,8 +20,10 @@ pub(crate) use force::PairForce;
 use crate::fluid::Fluid;
 use crate::pairs::Pairs;
 use crate::particles::Particles;
+use crate::physics::adaptive_smoothing::Pilot;
 use crate::physics::density_diffusion::Diffusing;
 use crate::physics::equation_of_state::Tait;
+use crate::physics::grad_h::GradH;
 use crate::physics::momentum::{
     Mixture, Momentum, OneFluid, OverDensityProduct, OverDensitySquared, PressureForm,
 };
@@ -54,6 +56,8 @@ pub(crate) struct Rates<const D: usize> {
     viscous_stress: ViscousStress<D>,
     diffusing: Diffusing<D>,
     pub(crate) van_der_waals: Option<Cohesive<D>>,
+    pilot: Pilot,
+    grad_h: GradH<D>,
     /// For the particles at the surface alone.
     at_surface: Pairs<D>,
     pub(crate) forces: Vec<Box<dyn Force<D>>>,
@@ -106,6 +110,8 @@ impl<const D: usize> Rates<D> {
             viscous_stress: ViscousStress::default(),
             diffusing: Diffusing::default(),
             van_der_waals,
+            pilot: Pilot::default(),
+            grad_h: GradH::default(),
             equations_of_state: fluids.iter().map(Tait::new).collect(),
             walls: Walls::new(&scheme.walls, particles),
             one_mass: first.filter(|_| same && fluids.len() == 1),
@@ -141,6 +147,7 @@ impl<const D: usize> Rates<D> {
             (fluid.flow).accelerate(&mut self.pairs, particles, &mut acceleration);
         } else {
             self.push(particles, &mut acceleration);
+            self.push_by_grad_h(particles, &mut acceleration);
         }
         self.walls.bear(particles, &mut acceleration);
         let stress = self.scheme.viscosity == ViscosityForm::Stress;
@@ -206,6 +213,24 @@ impl<const D: usize> Rates<D> {
                 pairs.sweep(&term, particles, |_| true, acceleration);
             }
         }
+    }
+}
+
+impl<const D: usize> Rates<D> {
+    /// Adds what pressure owes to the change of smoothing lengths, m/s^2.
+    fn push_by_grad_h(&mut self, particles: &Particles<D>, acceleration: &mut [Vector<f64, D>]) {
+        let Some(model) = self.scheme.adaptive_smoothing.filter(|model| model.grad_h) else {
+            return;
+        };
+        self.scalars.clear();
+        let columns = particles.pressure.iter().zip(&particles.density);
+        self.scalars
+            .extend(columns.map(|(p, density)| p / (density * density)));
+        let (grad_h, pairs) = (&mut self.grad_h, &mut self.pairs);
+        grad_h.begin(particles);
+        grad_h.add_energy(pairs, particles, &self.scalars);
+        let h = self.scheme.smoothing_length;
+        grad_h.accelerate(&model, h, &self.pilot, pairs, particles, acceleration);
     }
 }
 
