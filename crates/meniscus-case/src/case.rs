@@ -6,7 +6,7 @@ use meniscus::scheme::{Fluid, Scheme};
 use meniscus::{Domain, Particle, Setup, Vector};
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
-use crate::grammar::{Measure, Output};
+use crate::grammar::{Deformation, Measure, Output};
 use crate::resolve::resolve;
 use crate::speed::SpeedScales;
 use crate::walls::WallBody;
@@ -36,6 +36,8 @@ pub struct Case {
     pub walls: Vec<WallBody>,
     /// Lowest and highest coordinate, m, of each periodic direction.
     pub periodic: [Option<(f64, f64)>; 3],
+    /// A change of shape on the way, if there is one.
+    pub deformation: Option<Deformation>,
     /// How often results are written.
     pub output: Output,
     /// What is measured beside the usual.

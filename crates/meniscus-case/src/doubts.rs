@@ -76,7 +76,8 @@ pub(crate) fn doubts(draft: &Draft, volumes: &[(usize, f64)]) -> Vec<Diagnostic>
     let open = draft.periodic[..draft.dimension]
         .iter()
         .any(Option::is_none);
-    if draft.physics.density == DensityForm::Summation && open {
+    let dense = (draft.fluids.iter()).all(|draft| draft.van_der_waals.is_none());
+    if draft.physics.density == DensityForm::Summation && open && dense {
         doubts.push(doubt(
             None,
             "density by summation is too low within a smoothing length of a free surface".into(),

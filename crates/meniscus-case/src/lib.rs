@@ -53,8 +53,8 @@ mod walls;
 pub use case::{Body, Case};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use grammar::{
-    Arc, ContactAngle, Crown, Hydrostatics, Measure, Oscillation, Output, Sensor, StaticPressure,
-    TankSurface, Waist, Window,
+    Arc, ContactAngle, Crown, Deformation, Hydrostatics, Measure, Oscillation, Output, Sensor,
+    StaticPressure, TankSurface, Waist, Window,
 };
 pub use memory::BYTES_PER_PARTICLE;
 pub use schema::schema;

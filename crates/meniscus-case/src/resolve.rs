@@ -111,8 +111,10 @@ fn assemble(
     let any_tension =
         pairwise::has_gamma(&draft) || fluids.iter().any(|fluid| fluid.surface_tension > 0.0);
     let stem = Path::new(name).file_stem();
+    let model = (draft.fluids.iter()).find_map(|draft| draft.van_der_waals.clone());
+    let (model, span) = model.unzip();
     let physics = draft.physics;
-    Some(Case {
+    let case = Case {
         name: stem.map_or(name.into(), |stem| stem.to_string_lossy().into_owned()),
         title: draft.title,
         description: draft.description,
@@ -131,7 +133,7 @@ fn assemble(
             body_force: physics.body_force,
             velocity_smoothing: physics.velocity_smoothing,
             surface_tension: physics.surface_tension.filter(|_| any_tension),
-            van_der_waals: None,
+            van_der_waals: model,
             damping: physics.damping,
             walls: wall_schemes,
             integrator: physics.integrator,
@@ -142,13 +144,35 @@ fn assemble(
         bodies,
         walls,
         periodic: draft.periodic,
+        deformation: draft.deformation,
         output: draft.output,
         measure: draft.measure,
         speeds,
         warnings: Diagnostics::new(name, "", Vec::new()),
         particles,
         resolved: String::new(),
-    })
+    };
+    let refused = span.and_then(|span| Some((span, van_der_waals_refused(&case)?)));
+    if let Some((span, reason)) = refused {
+        problems.push(Diagnostic {
+            severity: Severity::Error,
+            message: reason,
+            label: "of this kind".into(),
+            help: None,
+            span: Some(span),
+        });
+        return None;
+    }
+    Some(case)
+}
+
+/// Why the library would not take a van der Waals fluid in this setting.
+fn van_der_waals_refused(case: &Case) -> Option<String> {
+    let checked = match case.dimension {
+        2 => case.setup::<2>().check(),
+        _ => case.setup::<3>().check(),
+    };
+    checked.err().map(|error| error.0)
 }
 
 /// Gives fluids without a sound speed the default, and warns of one that is too low.
@@ -161,6 +185,9 @@ fn choose_sound_speeds(
 ) {
     let right = default_sound_speed(speeds);
     for (fluid, draft) in fluids.iter_mut().zip(&draft.fluids) {
+        if draft.van_der_waals.is_some() {
+            continue;
+        }
         let Some(span) = &draft.sound_speed_span else {
             fluid.sound_speed = right;
             echo.insert(

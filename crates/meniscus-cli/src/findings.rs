@@ -10,6 +10,7 @@ mod merging;
 mod oscillation;
 mod roundness;
 mod tank;
+mod van_der_waals;
 
 use meniscus::measure::{DampedCosine, Estimate};
 use meniscus_case::{Case, Window};
@@ -63,6 +64,7 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     contact_angle::measure(case, series, &mut findings);
     tank::measure(case, series, &mut findings);
     budget::measure(case, series, &mut findings);
+    van_der_waals::measure(case, series, &mut findings);
     common(case, series, &mut findings);
     findings
 }
@@ -176,7 +178,8 @@ fn common(case: &Case, series: &Series, findings: &mut Findings) {
     };
     let least = finite("least density").and_then(|values| values.reduce(f64::min));
     let largest = finite("largest density").and_then(|values| values.reduce(f64::max));
-    if let (Some(least), Some(largest), [fluid]) = (least, largest, &case.fluids[..]) {
+    let stiff = case.scheme.van_der_waals.is_none();
+    if let (true, Some(least), Some(largest), [fluid]) = (stiff, least, largest, &case.fluids[..]) {
         let change = (largest / fluid.density - 1.0).max(1.0 - least / fluid.density);
         let name = "largest change of density";
         findings.add("density-change", name, "%", None, exact(100.0 * change));

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use meniscus::Simulation;
 use meniscus::divergence::Diverged;
-use meniscus_case::Case;
+use meniscus_case::{Case, Deformation};
 use meniscus_output::{Checkpoints, FrameWriter, RunFolder, SeriesWriter};
 
 use crate::conclude::{file_of, write_report};
@@ -53,10 +53,12 @@ impl<const D: usize> March<'_, D> {
     /// resume cuts the first two back to the checkpoint.
     pub fn go(mut self) -> Result<RunRecord, Failure> {
         interrupt::watch()?;
+        self.settle();
         let begin = Instant::now();
         self.folder
             .write_run(&self.record(Status::Running, begin))?;
         if self.last_checkpoint.is_none() {
+            self.deform_between(f64::NEG_INFINITY);
             self.series.append(&self.sampler.row(&self.simulation))?;
             self.frames.write(&frame(&self.simulation))?;
             self.save()?;
@@ -69,10 +71,12 @@ impl<const D: usize> March<'_, D> {
         let mut saved = (step, Instant::now());
         let mut progress = Progress::new(self.voice, self.case.particle_count(), step, time, end);
         while !reached(self.simulation.time(), end) && !interrupt::asked() {
+            let time = self.simulation.time();
             if let Err(diverged) = self.simulation.step() {
                 drop(progress);
                 return Err(self.diverged(&diverged, begin));
             }
+            self.deform_between(time);
             let (step, time) = (self.simulation.steps(), self.simulation.time());
             let at_end = reached(time, end);
             if row_due.take(time) || at_end {
@@ -105,6 +109,32 @@ impl<const D: usize> March<'_, D> {
         let record = self.record(status, begin);
         self.folder.write_run(&record)?;
         Ok(record)
+    }
+
+    /// Sets the drag that belongs to the time.
+    fn settle(&mut self) {
+        let now = self.simulation.time();
+        let before = |asked: &&Deformation| !reached(now, asked.time);
+        let settling = self.case.deformation.as_ref().filter(before);
+        let usual = self.case.scheme.damping;
+        let rate = settling.map_or(usual, |asked| usual.max(asked.settling));
+        self.simulation.set_damping(rate);
+    }
+
+    /// Draws the liquid out if its time has come since `earlier`, s.
+    fn deform_between(&mut self, earlier: f64) {
+        let Some(asked) = &self.case.deformation else {
+            return;
+        };
+        if reached(earlier, asked.time) || !reached(self.simulation.time(), asked.time) {
+            return;
+        }
+        // To the same volume: along y by aspect^((D - 1) / D), along the others by aspect^(-1 / D).
+        let across = asked.aspect.powf(-1.0 / D as f64);
+        let mut factors = [across; D];
+        factors[1] = across * asked.aspect;
+        self.simulation.stretch(factors);
+        self.settle();
     }
 
     fn save(&mut self) -> Result<PathBuf, Failure> {

@@ -5,6 +5,7 @@ pub mod asked;
 pub mod budget;
 pub mod hydrostatics;
 mod pieces;
+pub mod van_der_waals;
 
 use meniscus::measure::{
     PrincipalAxes, Sensor, StaticSurfaceTension, angular_momentum, centre_of_mass, kinetic_energy,
@@ -136,6 +137,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
             }
         }
         columns.extend(budget::columns(self.case, &per("J")));
+        columns.extend(van_der_waals::columns(self.case, &per("J")));
         columns.extend(asked::columns(self.case));
         columns.extend(hydrostatics::columns(self.case));
         columns.extend(pieces::columns(self.case));
@@ -172,12 +174,17 @@ impl<'a, const D: usize> Sampler<'a, D> {
             simulation.time(),
             simulation.steps() as f64,
             kinetic_energy(&p.velocity, &p.mass),
-            (0..p.len())
-                .map(|i| {
-                    let fluid = &simulation.fluids()[p.fluid[i] as usize];
-                    p.mass[i] * specific_compression_energy(p.density[i], fluid)
-                })
-                .sum(),
+            if simulation.van_der_waals().is_some() {
+                // Part of its internal energy.
+                f64::NAN
+            } else {
+                (0..p.len())
+                    .map(|i| {
+                        let fluid = &simulation.fluids()[p.fluid[i] as usize];
+                        p.mass[i] * specific_compression_energy(p.density[i], fluid)
+                    })
+                    .sum()
+            },
         ];
         row.extend(self.surface_energy(p));
         row.extend(linear_momentum(&p.velocity, &p.mass).0);
@@ -240,6 +247,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
             row.extend(&load.moment[3 - turned_about(D).len()..]);
         }
         row.extend(budget::row(self.case, simulation, p));
+        row.extend(van_der_waals::row(self.case, simulation));
         row.extend(asked::row(self.case, p));
         row.extend(hydrostatics::row(self.case, simulation));
         row.extend(pieces::row(self.case, p));
@@ -367,6 +375,7 @@ pub fn frame<const D: usize>(simulation: &Simulation<D>) -> Frame {
             surface.normal[i].norm()
         }));
     }
+    fields.extend(van_der_waals::fields(simulation, &order));
     if surface.virial_pressure.len() == p.len() {
         fields.push(scalar("virial pressure", "Pa", &|i| {
             surface.virial_pressure[i]

@@ -38,6 +38,16 @@ pub struct Setup<const D: usize> {
     pub domain: Domain<D>,
 }
 
+impl<const D: usize> Setup<D> {
+    /// Whether a simulation can start from this, but for what only its first sweep shows.
+    ///
+    /// # Errors
+    /// What [`Simulation::new`](crate::Simulation::new) would refuse, and why.
+    pub fn check(&self) -> Result<(), SetupError> {
+        validate(self)
+    }
+}
+
 /// Why a simulation can not start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetupError(pub String);

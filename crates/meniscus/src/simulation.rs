@@ -190,6 +190,33 @@ impl<const D: usize> Simulation<D> {
         best.clamp(LEAST_SKIN * self.spacing, LARGEST_SKIN * self.spacing)
     }
 
+    /// Stretches the whole by these factors along the axes, about its centre of mass; velocities
+    /// stay. Meant for factors whose product is one: density by continuity stays as well.
+    pub fn stretch(&mut self, factors: [f64; D]) {
+        let particles = &mut self.particles;
+        let mass: f64 = particles.mass.iter().sum();
+        let mut centre = Vector::<f64, D>::ZERO;
+        for (x, m) in particles.position.iter().zip(&particles.mass) {
+            centre += *x * (m / mass);
+        }
+        for x in &mut particles.position {
+            for (d, factor) in factors.iter().enumerate() {
+                x[d] = centre[d] + (x[d] - centre[d]) * factor;
+            }
+        }
+        (self.table.rebuild)(&mut self.rates.pairs, &mut self.particles);
+        if self.rates.scheme.density == DensityForm::Summation {
+            (self.table.advance_density)(&mut self.rates, &mut self.particles, self.time, 0.0);
+        }
+        (self.table.accelerate)(&mut self.rates, &mut self.particles, self.time);
+        self.choose_step();
+    }
+
+    /// Sets the rate of the drag from now on, 1/s.
+    pub fn set_damping(&mut self, rate: f64) {
+        self.rates.scheme.damping = rate;
+    }
+
     /// Marches until `time` in s is reached or passed.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 use meniscus::{Kernel, Precision};
 
 use super::body::{DraftBody, bodies};
+use super::deformation::{Deformation, deformation};
 use super::fluid::{DraftFluid, fluid};
 use super::measure::{Measure, measure};
 use super::output::{Output, output};
@@ -26,6 +27,7 @@ pub(crate) struct Draft {
     pub bodies: Vec<DraftBody>,
     pub walls: Vec<DraftWall>,
     pub physics: Physics,
+    pub deformation: Option<Deformation>,
     pub output: Output,
     pub measure: Measure,
 }
@@ -81,6 +83,18 @@ pub(crate) fn document(node: &mut Node<'_>) -> Draft {
         let walls = fields.optional("wall", about, |node| walls(node, &fluids));
         let about = "The equations: all optional.";
         let physics = fields.or("physics", "{}", about, physics);
+        let about = "A change of shape on the way, to see a drop swing.";
+        let deformation = fields.optional("deformation", about, |node| {
+            let bound = periodic.iter().any(Option::is_some) || walls.is_some();
+            if bound && !node.context.describing {
+                node.fail(
+                    "only liquid in a void can be drawn out".into(),
+                    "there are walls, or a periodic box",
+                    "leave one of them out",
+                );
+            }
+            deformation(node, end_time)
+        });
         let about = "How often results are written: all optional.";
         let output = fields.or("output", "{}", about, |node| output(node, end_time));
         let names: Vec<&str> = bodies.iter().map(|body| body.name.as_str()).collect();
@@ -102,6 +116,7 @@ pub(crate) fn document(node: &mut Node<'_>) -> Draft {
             bodies,
             walls: walls.unwrap_or_default(),
             physics,
+            deformation,
             output,
             measure,
         }

@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
-use meniscus::scheme::Fluid;
+use meniscus::scheme::{Fluid, VanDerWaals};
 
-use crate::read::{Node, Sign};
+use super::van_der_waals::van_der_waals;
+use crate::read::{Fields, Node, Sign};
 use crate::units;
 
 /// A fluid as read; its sound speed is NaN where the file gives none.
@@ -13,55 +14,93 @@ pub(crate) struct DraftFluid {
     /// Where the sound speed stands, if the file gives one.
     pub sound_speed_span: Option<Range<usize>>,
     pub surface_tension_span: Option<Range<usize>>,
+    /// What it is, where it is no liquid of nearly constant density, and where that stands.
+    pub van_der_waals: Option<(VanDerWaals, Range<usize>)>,
 }
 
 pub(crate) fn fluid(name: &str, node: &mut Node<'_>) -> DraftFluid {
+    let describing = node.context.describing;
     node.table(|fields| {
-        let mut sound_speed_span = None;
-        let mut surface_tension_span = None;
-        let given = fields.has("surface_tension");
         let density = fields.required("density", "Density at rest.", |node| {
             node.quantity(&units::DENSITY, Sign::Positive)
         });
-        let surface_tension = fields.or(
-            "surface_tension",
-            "'0 N/m'",
-            "Surface tension against the surroundings.",
-            |node| {
-                surface_tension_span = given.then(|| node.span());
-                node.quantity(&units::SURFACE_TENSION, Sign::NotNegative)
-            },
-        );
         let viscosity = fields.or("viscosity", "'0 Pa s'", "Dynamic viscosity.", |node| {
             node.quantity(&units::VISCOSITY, Sign::NotNegative)
         });
-        let about = "Exponent of the equation of state.";
-        let stiffness_exponent = fields.or("stiffness_exponent", "7", about, |node| {
-            node.number(Sign::Positive)
+        let about = "A van der Waals fluid, whose cohesion is its surface tension. The density \
+                     above then is that of its particles at the start alone.";
+        let van_der_waals = fields.optional("van_der_waals", about, |node| {
+            node.context.van_der_waals.set(!describing);
+            (van_der_waals(node), node.span())
         });
-        let about = "Pressure added everywhere.";
-        let background_pressure = fields.or("background_pressure", "'0 Pa'", about, |node| {
-            node.quantity(&units::PRESSURE, Sign::Any)
-        });
-        let about =
-            "Numerical speed of sound. Default: ten times the largest speed that the case shows.";
-        let sound_speed = fields.optional("sound_speed", about, |node| {
-            sound_speed_span = Some(node.span());
-            node.quantity(&units::SPEED, Sign::Positive)
-        });
-        let fluid = Fluid {
-            name: name.into(),
-            density,
+        let plain = Fluid {
+            viscosity,
+            ..Fluid::new(name, density)
+        };
+        match van_der_waals {
+            Some((model, _)) if !describing => DraftFluid {
+                fluid: Fluid {
+                    sound_speed: sound_speed(&model, density),
+                    ..plain
+                },
+                sound_speed_span: None,
+                surface_tension_span: None,
+                van_der_waals,
+            },
+            _ => stiff(fields, plain),
+        }
+    })
+}
+
+/// At the start; that of its repulsion where it is about to fall apart.
+fn sound_speed(model: &VanDerWaals, density: f64) -> f64 {
+    let (substance, temperature) = (&model.substance, model.temperature);
+    let whole = substance.sound_speed(density, temperature);
+    if whole.is_finite() {
+        whole
+    } else {
+        substance.stiff_sound_speed(density, temperature)
+    }
+}
+
+/// A liquid of nearly constant density.
+fn stiff(fields: &mut Fields<'_, '_>, plain: Fluid) -> DraftFluid {
+    let mut sound_speed_span = None;
+    let mut surface_tension_span = None;
+    let given = fields.has("surface_tension");
+    let surface_tension = fields.or(
+        "surface_tension",
+        "'0 N/m'",
+        "Surface tension against the surroundings.",
+        |node| {
+            surface_tension_span = given.then(|| node.span());
+            node.quantity(&units::SURFACE_TENSION, Sign::NotNegative)
+        },
+    );
+    let about = "Exponent of the equation of state.";
+    let stiffness_exponent = fields.or("stiffness_exponent", "7", about, |node| {
+        node.number(Sign::Positive)
+    });
+    let about = "Pressure added everywhere.";
+    let background_pressure = fields.or("background_pressure", "'0 Pa'", about, |node| {
+        node.quantity(&units::PRESSURE, Sign::Any)
+    });
+    let about =
+        "Numerical speed of sound. Default: ten times the largest speed that the case shows.";
+    let sound_speed = fields.optional("sound_speed", about, |node| {
+        sound_speed_span = Some(node.span());
+        node.quantity(&units::SPEED, Sign::Positive)
+    });
+    DraftFluid {
+        fluid: Fluid {
             sound_speed: sound_speed.unwrap_or(f64::NAN),
             stiffness_exponent,
             background_pressure,
-            viscosity,
             surface_tension,
-        };
-        DraftFluid {
-            fluid,
-            sound_speed_span,
-            surface_tension_span,
-        }
-    })
+            ..plain
+        },
+        sound_speed_span,
+        surface_tension_span,
+        van_der_waals: None,
+    }
 }

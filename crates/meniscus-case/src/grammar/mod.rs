@@ -1,12 +1,14 @@
 //! What may stand in a case file, and what it means.
 //!
 //! - `document`: the top of the file
-//! - `fluid`, `body`, `shape`, `arrangement`: what there is at the start; `wall`, `wall_shape`, `motion`: around it
+//! - `fluid`, `van_der_waals`, `body`, `shape`, `arrangement`: what there is at the start; `wall`, `wall_shape`, `motion`: around it
+//! - `deformation`: a change of shape on the way
 //! - `physics`: what is solved; `surface_tension`, `pairwise`: models of surface tension
 //! - `output`: how often results are written; `measure`: what is measured
 
 mod arrangement;
 mod body;
+mod deformation;
 mod document;
 mod fluid;
 mod measure;
@@ -16,10 +18,12 @@ mod pairwise;
 mod physics;
 mod shape;
 mod surface_tension;
+mod van_der_waals;
 mod wall;
 mod wall_shape;
 
 pub(crate) use body::{DraftBody, Geometry};
+pub use deformation::Deformation;
 pub(crate) use document::{Draft, document};
 pub use measure::{
     Arc, ContactAngle, Crown, Hydrostatics, Measure, Oscillation, Sensor, StaticPressure,

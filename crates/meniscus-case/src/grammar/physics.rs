@@ -35,15 +35,22 @@ pub(crate) struct Physics {
 pub(super) fn physics(node: &mut Node<'_>) -> Physics {
     let mut surface_tension_span = 0..0;
     let mut adaptive_smoothing_span = 0..0;
+    let own = node.context.van_der_waals.get();
+    let or_own = |usual: &'static str, of_own: &'static str| if own { of_own } else { usual };
     node.table(|fields| Physics {
-        density: fields.or("density", "'continuity'", "How density is found.", |node| {
-            let names = [
-                ("continuity", DensityForm::Continuity),
-                ("number", DensityForm::Number),
-                ("summation", DensityForm::Summation),
-            ];
-            node.name_of("density form", &names)
-        }),
+        density: fields.or(
+            "density",
+            or_own("'continuity'", "'summation'"),
+            "How density is found.",
+            |node| {
+                let names = [
+                    ("continuity", DensityForm::Continuity),
+                    ("number", DensityForm::Number),
+                    ("summation", DensityForm::Summation),
+                ];
+                node.name_of("density form", &names)
+            },
+        ),
         adaptive_smoothing: fields.optional(
             "adaptive_smoothing",
             "Smoothing lengths that follow density, by adaptive kernel estimation.",
@@ -74,13 +81,13 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
         ),
         artificial_viscosity: fields.or(
             "artificial_viscosity",
-            "0.1",
+            or_own("0.1", "0.0"),
             "alpha of the artificial viscosity.",
             |node| node.number(Sign::NotNegative),
         ),
         viscosity: fields.or(
             "viscosity",
-            "'monaghan-cleary'",
+            or_own("'monaghan-cleary'", "'stress'"),
             "Form of the viscous force, where a fluid has viscosity.",
             |node| {
                 let names = [
@@ -99,7 +106,7 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
         ),
         surface_tension: fields.or(
             "surface_tension",
-            "'jancik-hyhlik'",
+            or_own("'jancik-hyhlik'", "'none'"),
             "Model of surface tension, where a fluid has any.",
             |node| {
                 surface_tension_span = node.span();

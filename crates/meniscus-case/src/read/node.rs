@@ -27,6 +27,8 @@ pub(crate) struct Context {
     pub spacing: Cell<Option<f64>>,
     /// Dimensions of space; none where the file's is wrong.
     pub dimension: Cell<Option<usize>>,
+    /// Whether a fluid is one of van der Waals, to which other equations belong.
+    pub van_der_waals: Cell<bool>,
     /// Keys that were found in another section than their own.
     pub misplaced: RefCell<Vec<String>>,
     /// Parts of the schema that others refer to.

@@ -1,7 +1,18 @@
 //! The kinds of quantity that a case file holds.
 
-/// Exponents of metre, kilogram, second and radian.
-pub(crate) type Dimension = [i32; 4];
+/// Exponents of metre, kilogram, second, radian, kelvin and mole.
+pub(crate) type Dimension = [i32; 6];
+
+/// With zeros for what is left out at the end.
+pub(super) const fn dimension<const N: usize>(exponents: [i32; N]) -> Dimension {
+    let mut whole = [0; 6];
+    let mut k = 0;
+    while k < N {
+        whole[k] = exponents[k];
+        k += 1;
+    }
+    whole
+}
 
 /// A kind of quantity that a case file holds.
 #[derive(Debug, PartialEq)]
@@ -18,7 +29,7 @@ pub(crate) struct Kind {
 macro_rules! kinds {
     ($($constant:ident $name:literal $dimension:tt $si:literal $example:literal)*) => {
         $(pub(crate) const $constant: Kind =
-            Kind { name: $name, dimension: $dimension, si: $si, example: $example };)*
+            Kind { name: $name, dimension: dimension($dimension), si: $si, example: $example };)*
         /// All kinds, to name what was found.
         pub(super) const KINDS: &[Kind] = &[$($constant),*];
     };
@@ -43,6 +54,12 @@ kinds! {
     ENERGY              "energy"              [2, 1, -2, 0]  "J"       "1 uJ"
     AREA                "area"                [2, 0, 0, 0]   "m^2"     "1 mm^2"
     VOLUME              "volume"              [3, 0, 0, 0]   "m^3"     "1 mm^3"
+    TEMPERATURE         "temperature"         [0, 0, 0, 0, 1] "K"      "300 K"
+    CONDUCTIVITY        "heat conductivity"   [1, 1, -3, 0, -1] "W/m/K" "0.6 W/m/K"
+    SPECIFIC_HEAT       "specific heat"       [2, 0, -2, 0, -1] "J/kg/K" "188.9 J/kg/K"
+    MOLAR_MASS          "molar mass"          [0, 1, 0, 0, 0, -1] "kg/mol" "44 g/mol"
+    SPECIFIC_VOLUME     "specific volume"     [3, -1, 0, 0]  "m^3/kg"  "0.001 m^3/kg"
+    COHESION            "cohesion"            [5, -1, -2, 0] "Pa m^6/kg^2" "188 Pa m^6/kg^2"
 }
 
 /// "a length", "an angle", or the base units of something without a name.
@@ -50,7 +67,7 @@ pub(crate) fn name_of(dimension: Dimension) -> String {
     if let Some(kind) = KINDS.iter().find(|kind| kind.dimension == dimension) {
         return with_article(kind.name);
     }
-    let units: Vec<String> = ["m", "kg", "s", "rad"]
+    let units: Vec<String> = ["m", "kg", "s", "rad", "K", "mol"]
         .iter()
         .zip(dimension)
         .filter(|(_, exponent)| *exponent != 0)

@@ -43,7 +43,7 @@ pub(crate) fn parse(text: &str, spacing: Option<f64>) -> Result<Quantity, Quanti
         });
     }
     let mut total = Scale {
-        dimension: [0; 4],
+        dimension: [0; 6],
         exponent: 0,
         factor: 1.0,
     };

@@ -16,6 +16,7 @@
 //! - pressure against depth: [`PressureProfile`]
 //! - pressure against radius, and what surface tension it shows: [`radial_profile`],
 //!   [`StaticSurfaceTension`]
+//! - how a drop's density ends: [`SurfaceLayer`], [`outer_rings`]; its stress: [`StressProfile`]
 //! - a fitted oscillation and what surface tension it shows: [`DampedCosine`],
 //!   [`OscillationSurfaceTension`]
 //! - a fitted power law: [`PowerLaw`]
@@ -41,7 +42,9 @@ mod radial;
 mod samples;
 mod semi_axes;
 mod sensor;
+mod stress_profile;
 mod surface;
+mod surface_layer;
 mod totals;
 mod waist;
 
@@ -63,7 +66,9 @@ pub use semi_axes::{
     PrincipalAxes, semi_axes_along_coordinates, semi_axes_by_tips, surface_energy,
 };
 pub use sensor::{Reading, Sensor};
+pub use stress_profile::StressProfile;
 pub use surface::{Plane, surface_particles};
+pub use surface_layer::{SurfaceLayer, outer_rings};
 pub use totals::{
     angular_momentum, centre_of_mass, kinetic_energy, linear_momentum, maximum_speed, range,
 };

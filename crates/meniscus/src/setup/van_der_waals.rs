@@ -40,12 +40,12 @@ pub(super) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
         );
     }
     if scheme.viscosity != ViscosityForm::Stress {
-        return complain("has the viscous force of the whole stress: ViscosityForm::Stress".into());
+        return complain(
+            "has the viscous force of the whole stress: viscosity = \"stress\"".into(),
+        );
     }
     if scheme.pressure != PressureForm::OverDensitySquared {
-        return complain(
-            "has one form of the pressure gradient: PressureForm::OverDensitySquared".into(),
-        );
+        return complain("has one form of the pressure gradient: over-density-squared".into());
     }
     let VanDerWaals {
         substance,
@@ -77,6 +77,13 @@ pub(super) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
                 "has a {name} that must be finite and not negative, found {value}"
             ));
         }
+    }
+    let highest = 1.0 / substance.excluded_volume;
+    if fluid.density >= highest {
+        return complain(format!(
+            "stays below density 1/b = {highest:.4}, found {}",
+            fluid.density
+        ));
     }
     if !(1.0..=4.0).contains(&cohesion_range) {
         return complain(format!(

@@ -13,6 +13,8 @@ pub struct Measure {
     pub static_pressure: Option<StaticPressure>,
     /// How round the first body is, and how dense.
     pub roundness: Option<Window>,
+    /// What a round drop is like from its centre to its surface.
+    pub drop_profile: Option<Window>,
     /// Pressure against depth.
     pub hydrostatics: Option<Hydrostatics>,
     /// The crown of a splash.

@@ -42,6 +42,11 @@ pub(in crate::grammar) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[
             "Average how round the first body is, its size by mass and density, and what is at its centre.",
             |node| node.table(|fields| window(fields, end_time, 0.8)),
         ),
+        drop_profile: fields.optional(
+            "drop_profile",
+            "Average what a round drop of a van der Waals fluid is like from its centre to its surface: density, temperature, stress, and the surface tension that the stress has.",
+            |node| node.table(|fields| window(fields, end_time, 0.8)),
+        ),
         hydrostatics: fields.optional(
             "hydrostatics",
             "Compare pressure with the weight above, all over a liquid at rest.",

@@ -12,6 +12,7 @@ use super::gradient::{GradientSums, Gradients};
 use super::heat::{Heat, Warmth};
 use super::model::{Conduction, VanDerWaals};
 use super::stress::Stress;
+use crate::kernel::Kernel;
 use crate::particles::Particles;
 use crate::physics::surface_tension::matrix::Matrix;
 use crate::term::Sweep;
@@ -203,6 +204,28 @@ impl<const D: usize> Flow<D> {
         let strength = 2.0 * self.model.substance.cohesion;
         let far = self.surroundings[i].gradient * strength;
         [self.pushes[i], far]
+    }
+
+    /// The force between two rows at rest, N, positive where they repel each other; the kernel
+    /// of this smoothing length, m, and of cohesion's.
+    pub fn force_at_rest(
+        &self,
+        particles: &Particles<D>,
+        kernel: Kernel,
+        smoothing_length: f64,
+        cohesion_length: f64,
+        rows: [usize; 2],
+    ) -> f64 {
+        let substance = &self.model.substance;
+        let over_square = |i: usize| {
+            let density = particles.density[i];
+            substance.repulsion(density, particles.temperature[i]) / (density * density)
+        };
+        let [i, j] = rows;
+        let r = (particles.position[i] - particles.position[j]).norm();
+        let near = (over_square(i) + over_square(j)) * kernel.slope(r, smoothing_length, D);
+        let far = 2.0 * substance.cohesion * kernel.slope(r, cohesion_length, D);
+        particles.mass[i] * particles.mass[j] * (far - near)
     }
 
     /// What limits the next step.

@@ -1,0 +1,125 @@
+//! Energies and temperatures of a van der Waals fluid, and what a drop of it is like inside.
+
+use meniscus::measure::{
+    Outline, StressProfile, SurfaceLayer, centre_of_mass, kinetic_energy, outer_rings, range,
+};
+use meniscus::physics::van_der_waals::Flow;
+use meniscus::{Particles, Simulation};
+use meniscus_case::Case;
+use meniscus_output::{Column, Field};
+
+/// Columns of energies, J.
+pub const ENERGIES: [&str; 3] = ["thermal energy", "cohesion energy", "total energy"];
+
+/// Columns of temperatures, K.
+pub const TEMPERATURES: [&str; 3] = [
+    "mean temperature",
+    "least temperature",
+    "largest temperature",
+];
+
+/// Columns of `drop_profile`, filled while it is wanted.
+pub const PROFILE: [(&str, &str); 9] = [
+    ("density inside", "kg/m^3"),
+    ("temperature inside", "K"),
+    ("radius of half the density", "m"),
+    ("thickness of the surface", "m"),
+    ("outer rings", ""),
+    ("deviation of the outline", "%"),
+    ("radius by mass and density inside", "m"),
+    ("mechanical pressure inside", "Pa"),
+    ("mechanical surface tension", "N/m"),
+];
+
+/// Part of the outermost radius that counts as inside.
+const INSIDE: f64 = 0.5;
+
+/// Names and units of the columns.
+pub fn columns(case: &Case, energy: &str) -> Vec<Column> {
+    if case.scheme.van_der_waals.is_none() {
+        return Vec::new();
+    }
+    let energies = ENERGIES.iter().map(|name| Column::new(name, energy));
+    let temperatures = TEMPERATURES.iter().map(|name| Column::new(name, "K"));
+    let mut columns: Vec<Column> = energies.chain(temperatures).collect();
+    if case.measure.drop_profile.is_some() {
+        columns.extend(PROFILE.iter().map(|(name, unit)| Column::new(name, unit)));
+    }
+    columns
+}
+
+/// Their values.
+pub fn row<const D: usize>(case: &Case, simulation: &Simulation<D>) -> Vec<f64> {
+    let Some(flow) = simulation.van_der_waals() else {
+        return Vec::new();
+    };
+    let p = simulation.particles();
+    let sum = |of: &dyn Fn(usize) -> f64| (0..p.len()).map(|i| p.mass[i] * of(i)).sum::<f64>();
+    let cohesion = sum(&|i| flow.cohesion_energy(i));
+    let internal = sum(&|i| flow.internal_energy(p, i));
+    let total = kinetic_energy(&p.velocity, &p.mass) + internal;
+    let mass: f64 = p.mass.iter().sum();
+    let mean = sum(&|i| p.temperature[i]) / mass;
+    let (least, largest) = range(&p.temperature).unwrap_or((f64::NAN, f64::NAN));
+    let mut row = vec![internal - cohesion, cohesion, total, mean, least, largest];
+    if let Some(asked) = &case.measure.drop_profile {
+        let now = simulation.time();
+        let wanted = now >= asked.from && now <= asked.to * (1.0 + 1e-3);
+        let profile = wanted.then(|| profile(case, p, flow)).flatten();
+        row.extend(profile.unwrap_or([f64::NAN; PROFILE.len()]));
+    }
+    row
+}
+
+/// What a drop is like from its centre to its surface.
+fn profile<const D: usize>(
+    case: &Case,
+    p: &Particles<D>,
+    flow: &Flow<D>,
+) -> Option<[f64; PROFILE.len()]> {
+    let scheme = &case.scheme;
+    let centre = centre_of_mass(&p.position, &p.mass)?;
+    let outline = Outline::measure(&p.position, &p.mass, case.spacing)?;
+    let depth = INSIDE * outline.mean_radius;
+    let inside: Vec<usize> = (0..p.len())
+        .filter(|&i| (p.position[i] - centre).norm() < depth)
+        .collect();
+    let mean = |of: &[f64]| inside.iter().map(|&i| of[i]).sum::<f64>() / inside.len() as f64;
+    let (density, temperature) = (mean(&p.density), mean(&p.temperature));
+    let (kernel, h) = (scheme.kernel, scheme.smoothing_length);
+    let layer = SurfaceLayer::measure(&p.position, &p.mass, |_| h, kernel, centre, density)?;
+    let mass: f64 = p.mass.iter().sum();
+    let radius = meniscus::theory::equivalent_radius(mass / density, D);
+    let long = flow.model().cohesion_range * h;
+    let range = kernel.support() * long;
+    let width = 0.5 * case.spacing;
+    let shells = ((outline.mean_radius + range) / width) as usize;
+    let force = |i, j| flow.force_at_rest(p, kernel, h, long, [i, j]);
+    let stress = StressProfile::measure(&p.position, centre, range, width, shells, force);
+    Some([
+        density,
+        temperature,
+        layer.radius,
+        layer.thickness,
+        outer_rings(&p.position, centre, case.spacing) as f64,
+        100.0 * outline.deviation / outline.mean_radius,
+        radius,
+        stress.inner_pressure::<D>(depth),
+        stress.surface_tension(depth),
+    ])
+}
+
+/// Fields of a frame, whose rows come in this order.
+pub fn fields<const D: usize>(simulation: &Simulation<D>, order: &[usize]) -> Vec<Field> {
+    let Some(flow) = simulation.van_der_waals() else {
+        return Vec::new();
+    };
+    let p = simulation.particles();
+    let scalar = |name: &str, unit: &str, value: &dyn Fn(usize) -> f64| {
+        Field::scalar(name, unit, order.iter().map(|&i| value(i)).collect())
+    };
+    vec![
+        scalar("temperature", "K", &|i| p.temperature[i]),
+        scalar("internal energy", "J/kg", &|i| flow.internal_energy(p, i)),
+    ]
+}
