@@ -23,6 +23,7 @@ fn good() -> Vec<PathBuf> {
     let mut all = files("tests/cases/good");
     all.extend(files("../../papers/jancik-hyhlik"));
     all.extend(files("../../papers/qiang-chen-gao"));
+    all.extend(files("../../papers/sigalotti-daza-donoso"));
     // What a paper's folder is to reproduce is not a case.
     all.retain(|path| !path.ends_with("reproduction.toml"));
     all
@@ -41,6 +42,7 @@ fn assert_same(a: &Case, b: &Case) {
         (&a.output, &a.measure, a.speeds),
         (&b.output, &b.measure, b.speeds)
     );
+    assert_eq!(a.deformation, b.deformation);
     assert_eq!((&a.title, &a.description), (&b.title, &b.description));
 }
 

@@ -6,9 +6,9 @@ use std::time::Instant;
 
 use meniscus::physics::surface_tension::pairwise::estimate::Resolution;
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::TimeStep;
+use meniscus::scheme::{TimeStep, VanDerWaals};
 use meniscus::time::step::StepLimits;
-use meniscus::{Simulation, SurfaceTension};
+use meniscus::{Simulation, SurfaceTension, theory};
 use meniscus_case::{BYTES_PER_PARTICLE, Case};
 use meniscus_report::number::{significant, with_unit};
 
@@ -107,6 +107,10 @@ fn what(case: &Case, lines: &mut Vec<String>) {
         let text = format!("{value:<9} {}", number.meaning);
         lines.push(line(number.name, &text));
     }
+    if let Some(model) = &case.scheme.van_der_waals {
+        lines.extend(van_der_waals(case, model));
+        return;
+    }
     for fluid in &case.fluids {
         let text = format!(
             "{} in {}, {} expected",
@@ -120,6 +124,54 @@ fn what(case: &Case, lines: &mut Vec<String>) {
     let percent = significant(100.0 * numbers::expected_density_error(case), 2);
     let text = format!("about {percent} % expected, (largest speed / sound speed)^2");
     lines.push(line("density error", &text));
+}
+
+/// What the equation of state says of the fluid at the start.
+fn van_der_waals(case: &Case, model: &VanDerWaals) -> Vec<String> {
+    let substance = &model.substance;
+    let critical = substance.critical_point();
+    let reduced = model.temperature / critical.temperature;
+    let mut lines = vec![
+        line(
+            "critical point",
+            &format!(
+                "{}, {}, {}",
+                with_unit(critical.temperature, "K", 4),
+                with_unit(critical.pressure, "Pa", 4),
+                with_unit(critical.density, "kg/m^3", 4)
+            ),
+        ),
+        line(
+            "at the start",
+            &format!(
+                "{}, {} of the critical point",
+                with_unit(model.temperature, "K", 4),
+                significant(reduced, 3)
+            ),
+        ),
+    ];
+    let Some(phases) = theory::coexistence(reduced) else {
+        return lines;
+    };
+    let density = |ratio: f64| with_unit(ratio * critical.density, "kg/m^3", 4);
+    let (liquid, vapour) = (density(phases.liquid), density(phases.vapour));
+    lines.push(line(
+        "liquid, vapour",
+        &format!("{liquid} and {vapour} side by side at that temperature"),
+    ));
+    let sharp = theory::step_surface_tension(
+        substance.cohesion,
+        phases.liquid * critical.density,
+        case.scheme.kernel,
+        model.cohesion_range * case.scheme.smoothing_length,
+        case.dimension,
+    );
+    let sharp = with_unit(sharp, "N/m", 4);
+    lines.push(line(
+        "sharp surface",
+        &format!("{sharp} of that liquid; a soft one has less"),
+    ));
+    lines
 }
 
 /// What pairwise forces make of evenly spread particles with a sharp surface.
@@ -190,6 +242,10 @@ fn time_step(case: &Case, at_start: StepLimits, lines: &mut Vec<String>) -> f64 
 fn expected_limits(case: &Case, at_start: StepLimits) -> StepLimits {
     let h = case.scheme.smoothing_length;
     let support = case.scheme.kernel.support() * h;
+    if case.scheme.van_der_waals.is_some() {
+        // Its state says more than what any case expects.
+        return at_start;
+    }
     let expected = StepLimits::new(&case.fluids, h, support, case.speeds.largest(), 0.0);
     StepLimits {
         force: at_start.force,

@@ -202,7 +202,7 @@ fn common(case: &Case, series: &Series, findings: &mut Findings) {
         let name = "drift of the mean velocity";
         findings.add("momentum-drift", name, "m/s", nothing, exact(drift));
         let scale = case.speeds.largest();
-        if drift > LARGEST_DRIFT * scale {
+        if scale > 0.0 && drift > LARGEST_DRIFT * scale {
             findings.complaints.push(format!(
                 "the whole drifts at {:.0} % of the speed scale of the flow, which nothing outside it causes: \
                  this model of surface tension does not conserve momentum where particles are disordered",

@@ -108,6 +108,7 @@ fn parameters(case: &Case) -> Vec<(String, String)> {
             Some(SurfaceTension::JancikHyhlik(_)) => "Jancik and Hyhlik".into(),
             Some(SurfaceTension::Continuum(_)) => "continuum surface force".into(),
             Some(SurfaceTension::Pairwise(model)) => format!("pairwise forces ({})", model.name()),
+            None if scheme.van_der_waals.is_some() => "cohesion of a van der Waals fluid".into(),
             None => "none".into(),
         },
     );

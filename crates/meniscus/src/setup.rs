@@ -15,7 +15,7 @@ use crate::physics::surface_tension::pairwise::akinci::Akinci;
 use crate::physics::surface_tension::pairwise::lennard_jones::LennardJones;
 use crate::physics::wall::Adhesion;
 use crate::scheme::{
-    AdaptiveSmoothing, DensityDiffusion, DensityForm, PressureForm, Scheme, TimeStep,
+    AdaptiveSmoothing, DensityDiffusion, DensityForm, PressureForm, Scheme, TimeStep, VanDerWaals,
 };
 pub(crate) use van_der_waals::check_density;
 
@@ -243,9 +243,10 @@ fn validate_adaptive_smoothing(scheme: &Scheme) -> Result<(), String> {
                 .into(),
         );
     }
-    if grad_h && scheme.van_der_waals.is_some() {
+    let fixed = |fluid: &VanDerWaals| !fluid.cohesion_adapts;
+    if grad_h && scheme.van_der_waals.as_ref().is_some_and(fixed) {
         return Err(
-            "a van der Waals fluid heats by the work of its forces, whatever they are, and needs no grad-h terms to conserve energy"
+            "a van der Waals fluid heats by the work of its pressure, whatever that is: it needs grad-h terms only where the range of cohesion adapts"
                 .into(),
         );
     }

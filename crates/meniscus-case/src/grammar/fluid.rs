@@ -38,18 +38,39 @@ pub(crate) fn fluid(name: &str, node: &mut Node<'_>) -> DraftFluid {
             ..Fluid::new(name, density)
         };
         match van_der_waals {
-            Some((model, _)) if !describing => DraftFluid {
-                fluid: Fluid {
-                    sound_speed: sound_speed(&model, density),
-                    ..plain
-                },
-                sound_speed_span: None,
-                surface_tension_span: None,
-                van_der_waals,
-            },
+            Some((model, _)) if !describing => {
+                refuse_stiff_keys(fields);
+                DraftFluid {
+                    fluid: Fluid {
+                        sound_speed: sound_speed(&model, density),
+                        ..plain
+                    },
+                    sound_speed_span: None,
+                    surface_tension_span: None,
+                    van_der_waals,
+                }
+            }
             _ => stiff(fields, plain),
         }
     })
+}
+
+/// Complains of what a van der Waals fluid is not given.
+fn refuse_stiff_keys(fields: &mut Fields<'_, '_>) {
+    for key in [
+        "surface_tension",
+        "stiffness_exponent",
+        "background_pressure",
+        "sound_speed",
+    ] {
+        fields.optional(key, "Of a liquid of nearly constant density.", |node| {
+            node.fail(
+                format!("a van der Waals fluid takes no `{key}`"),
+                "not of this fluid",
+                "leave it out: it follows from the equation of state",
+            );
+        });
+    }
 }
 
 /// At the start; that of its repulsion where it is about to fall apart.

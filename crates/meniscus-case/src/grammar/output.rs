@@ -12,12 +12,21 @@ pub struct Output {
     pub series: f64,
     /// Time between checkpoints, from which a run can go on.
     pub checkpoints: f64,
+    /// Times that the pictures of a report show, s; none for evenly spread ones.
+    pub pictures: Vec<f64>,
     /// What colours the particles of a moving picture, if one is wanted.
     pub movie: Option<&'static str>,
 }
 
 /// Fields of the frames that can colour a movie.
-const MOVIES: [&str; 5] = ["pressure", "speed", "density", "fluid", "body"];
+const MOVIES: [&str; 6] = [
+    "pressure",
+    "speed",
+    "density",
+    "temperature",
+    "fluid",
+    "body",
+];
 
 pub(super) fn output(node: &mut Node<'_>, end_time: f64) -> Output {
     node.table(|fields| Output {
@@ -42,6 +51,13 @@ pub(super) fn output(node: &mut Node<'_>, end_time: f64) -> Output {
             end_time,
             0.1,
         ),
+        pictures: fields
+            .optional(
+                "pictures",
+                "Times that the pictures of the report show. Default: six, evenly spread.",
+                |node| node.list(1, |node| node.quantity(&units::TIME, Sign::NotNegative)),
+            )
+            .unwrap_or_default(),
         movie: fields.optional(
             "movie",
             "A moving picture of the frames, coloured by this.",

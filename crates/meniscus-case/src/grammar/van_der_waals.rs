@@ -47,6 +47,12 @@ pub(super) fn van_der_waals(node: &mut Node<'_>) -> VanDerWaals {
                 range
             },
         ),
+        cohesion_adapts: fields.or(
+            "cohesion_smoothing",
+            "'fixed'",
+            "\"adaptive\" has that range follow smoothing lengths that adapt; energy then needs their grad-h terms.",
+            |node| node.name_of("range of cohesion", &[("fixed", false), ("adaptive", true)]),
+        ),
     })
 }
 

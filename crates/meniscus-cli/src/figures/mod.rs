@@ -1,11 +1,12 @@
 //! The figures of a report: [`pictures`] of the particles, [`curves`] over
-//! time, and the pressure [`profile`] of a round body.
+//! time, the pressure [`profile`] of a round body, and [`van_der_waals`] fluids.
 
 mod along;
 mod curves;
 mod pictures;
 mod profile;
 mod tank;
+mod van_der_waals;
 
 use meniscus_case::Case;
 use meniscus_output::{Frame, FrameReader, RunFolder, Series};
@@ -24,12 +25,17 @@ pub fn of(
     let frames = FrameReader::open(&folder.frames_folder())?;
     let mut figures = pictures::figures(case, &frames, measured)?;
     figures.extend(curves::axes(case, series, measured));
-    figures.extend(curves::energies(case, series));
+    if case.scheme.van_der_waals.is_some() {
+        figures.extend(van_der_waals::curves(case, series));
+    } else {
+        figures.extend(curves::energies(case, series));
+    }
     figures.extend(curves::budget(case, series));
     figures.extend(curves::loads(case, series));
     figures.extend(along::figure(case, &frames)?);
     figures.extend(tank::figure(case, &frames, series)?);
     figures.extend(profile::figure(case, &frames, measured)?);
+    figures.extend(van_der_waals::profiles(case, &frames)?);
     Ok(figures)
 }
 

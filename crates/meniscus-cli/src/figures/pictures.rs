@@ -24,7 +24,13 @@ pub fn figures(
     };
     let period = measured.fit.as_ref().map(|fit| fit.period().value);
     let span = period.map_or(end, |period| period.min(end));
-    let frames = evenly(reader.times(), 0.0, span, PANELS)
+    let chosen = match &case.output.pictures[..] {
+        [] => evenly(reader.times(), 0.0, span, PANELS),
+        asked => (asked.iter())
+            .flat_map(|&time| evenly(reader.times(), time, time, 1))
+            .collect(),
+    };
+    let frames = chosen
         .into_iter()
         .map(|k| reader.read(k))
         .collect::<Result<Vec<Frame>, _>>()?;
@@ -45,6 +51,16 @@ pub fn figures(
             .figure("pressure", &format!("{inside}, coloured by pressure.")),
         speed.figure("speed", &format!("{outside}, coloured by speed.")),
     ];
+    if case.scheme.van_der_waals.is_some() {
+        figures.push(
+            pictures(case, &frames, "Temperature", "K")
+                .view(slice(case, &frames))
+                .figure(
+                    "temperature",
+                    &format!("{inside}, coloured by temperature."),
+                ),
+        );
+    }
     if case.bodies.len() > 1 {
         let names: Vec<&str> = case.bodies.iter().map(|body| body.name.as_str()).collect();
         figures.push(

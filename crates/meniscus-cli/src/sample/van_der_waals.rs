@@ -87,14 +87,17 @@ fn profile<const D: usize>(
     let mean = |of: &[f64]| inside.iter().map(|&i| of[i]).sum::<f64>() / inside.len() as f64;
     let (density, temperature) = (mean(&p.density), mean(&p.temperature));
     let (kernel, h) = (scheme.kernel, scheme.smoothing_length);
-    let layer = SurfaceLayer::measure(&p.position, &p.mass, |_| h, kernel, centre, density)?;
+    let layer = {
+        let own = |i: usize| p.smoothing_length[i];
+        SurfaceLayer::measure(&p.position, &p.mass, own, kernel, centre, density)?
+    };
     let mass: f64 = p.mass.iter().sum();
     let radius = meniscus::theory::equivalent_radius(mass / density, D);
-    let long = flow.model().cohesion_range * h;
-    let range = kernel.support() * long;
+    let longest = p.smoothing_length.iter().copied().fold(h, f64::max);
+    let range = kernel.support() * flow.model().cohesion_range * longest;
     let width = 0.5 * case.spacing;
     let shells = ((outline.mean_radius + range) / width) as usize;
-    let force = |i, j| flow.force_at_rest(p, kernel, h, long, [i, j]);
+    let force = |i, j| flow.force_at_rest(p, kernel, h, [i, j]);
     let stress = StressProfile::measure(&p.position, centre, range, width, shells, force);
     Some([
         density,

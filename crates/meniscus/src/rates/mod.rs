@@ -147,8 +147,8 @@ impl<const D: usize> Rates<D> {
             (fluid.flow).accelerate(&mut self.pairs, particles, &mut acceleration);
         } else {
             self.push(particles, &mut acceleration);
-            self.push_by_grad_h(particles, &mut acceleration);
         }
+        self.push_by_grad_h(particles, &mut acceleration);
         self.walls.bear(particles, &mut acceleration);
         let stress = self.scheme.viscosity == ViscosityForm::Stress;
         if stress && self.van_der_waals.is_none() && is_viscous(&self.fluids) {
@@ -217,19 +217,29 @@ impl<const D: usize> Rates<D> {
 }
 
 impl<const D: usize> Rates<D> {
-    /// Adds what pressure owes to the change of smoothing lengths, m/s^2.
+    /// Adds what pressure owes to the change of smoothing lengths, m/s^2; of a van der Waals fluid what
+    /// cohesion owes, since its pressure warms by its work, whatever that is.
     fn push_by_grad_h(&mut self, particles: &Particles<D>, acceleration: &mut [Vector<f64, D>]) {
         let Some(model) = self.scheme.adaptive_smoothing.filter(|model| model.grad_h) else {
             return;
         };
+        let h = self.scheme.smoothing_length;
+        let (grad_h, pairs) = (&mut self.grad_h, &mut self.pairs);
+        grad_h.begin(particles);
         self.scalars.clear();
+        if let Some(fluid) = &self.scheme.van_der_waals {
+            let cohesion = -fluid.substance.cohesion;
+            self.scalars.resize(particles.len(), cohesion);
+            if let Some(far) = pairs.second() {
+                grad_h.add_energy(far, particles, &self.scalars);
+            }
+            grad_h.accelerate(&model, h, &self.pilot, pairs, particles, acceleration);
+            return;
+        }
         let columns = particles.pressure.iter().zip(&particles.density);
         self.scalars
             .extend(columns.map(|(p, density)| p / (density * density)));
-        let (grad_h, pairs) = (&mut self.grad_h, &mut self.pairs);
-        grad_h.begin(particles);
         grad_h.add_energy(pairs, particles, &self.scalars);
-        let h = self.scheme.smoothing_length;
         grad_h.accelerate(&model, h, &self.pilot, pairs, particles, acceleration);
     }
 }

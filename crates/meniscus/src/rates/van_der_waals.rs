@@ -1,7 +1,7 @@
 //! A van der Waals fluid, with the lists of its long range.
 
 use crate::fluid::Fluid;
-use crate::pairs::Pairs;
+use crate::pairs::{Pairs, Smoothing};
 use crate::particles::Particles;
 use crate::physics::van_der_waals::{Flow, VanDerWaals};
 use crate::scheme::Scheme;
@@ -18,10 +18,13 @@ impl<const D: usize> Cohesive<D> {
         fluids: &[Fluid],
         pairs: &mut Pairs<D>,
     ) -> Self {
-        pairs.set_second(
-            scheme.kernel,
-            model.cohesion_range * scheme.smoothing_length,
-        );
+        let factor = model.cohesion_range;
+        let range = if model.cohesion_adapts {
+            Smoothing::Mean { factor }
+        } else {
+            Smoothing::Constant(factor * scheme.smoothing_length)
+        };
+        pairs.set_second(scheme.kernel, range);
         Self {
             flow: Flow::new(model, fluids.first().map_or(0.0, |fluid| fluid.viscosity)),
         }

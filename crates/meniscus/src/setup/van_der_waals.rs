@@ -47,6 +47,12 @@ pub(super) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
     if scheme.pressure != PressureForm::OverDensitySquared {
         return complain("has one form of the pressure gradient: over-density-squared".into());
     }
+    if model.cohesion_adapts && scheme.adaptive_smoothing.is_none() {
+        return complain(
+            "has a range of cohesion that adapts where smoothing lengths do: ask for adaptive smoothing"
+                .into(),
+        );
+    }
     let VanDerWaals {
         substance,
         temperature,

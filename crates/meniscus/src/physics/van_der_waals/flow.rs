@@ -206,25 +206,30 @@ impl<const D: usize> Flow<D> {
         [self.pushes[i], far]
     }
 
-    /// The force between two rows at rest, N, positive where they repel each other; the kernel
-    /// of this smoothing length, m, and of cohesion's.
+    /// The force between two rows at rest, N, positive where they repel each other, by this kernel and
+    /// the scheme's smoothing length, m; without grad-h terms.
     pub fn force_at_rest(
         &self,
         particles: &Particles<D>,
         kernel: Kernel,
         smoothing_length: f64,
-        cohesion_length: f64,
-        rows: [usize; 2],
+        [i, j]: [usize; 2],
     ) -> f64 {
+        let own = 0.5 * (particles.smoothing_length[i] + particles.smoothing_length[j]);
+        let of_cohesion = if self.model.cohesion_adapts {
+            own
+        } else {
+            smoothing_length
+        };
         let substance = &self.model.substance;
         let over_square = |i: usize| {
             let density = particles.density[i];
             substance.repulsion(density, particles.temperature[i]) / (density * density)
         };
-        let [i, j] = rows;
         let r = (particles.position[i] - particles.position[j]).norm();
-        let near = (over_square(i) + over_square(j)) * kernel.slope(r, smoothing_length, D);
-        let far = 2.0 * substance.cohesion * kernel.slope(r, cohesion_length, D);
+        let near = (over_square(i) + over_square(j)) * kernel.slope(r, own, D);
+        let long = self.model.cohesion_range * of_cohesion;
+        let far = 2.0 * substance.cohesion * kernel.slope(r, long, D);
         particles.mass[i] * particles.mass[j] * (far - near)
     }
 

@@ -31,6 +31,9 @@ pub struct VanDerWaals {
     pub conduction: Conduction,
     /// Range H of cohesion over the smoothing length.
     pub cohesion_range: f64,
+    /// Whether H follows smoothing lengths that adapt. Energy is then conserved with the grad-h
+    /// terms of [`AdaptiveSmoothing`](crate::scheme::AdaptiveSmoothing) alone.
+    pub cohesion_adapts: bool,
 }
 
 impl VanDerWaals {
@@ -44,6 +47,7 @@ impl VanDerWaals {
             bulk_viscosity: 0.0,
             conduction: Conduction::Brookshaw,
             cohesion_range: 2.0,
+            cohesion_adapts: false,
         }
     }
 }
