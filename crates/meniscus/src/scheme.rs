@@ -19,6 +19,8 @@ pub enum DensityForm {
     Continuity,
     /// D rho_i/Dt = m_i sum_j (v_i - v_j) . grad W (Ott and Schnetter), for fluids of different density
     Number,
+    /// D rho/Dt with the gradient of velocity corrected: exact for a linear motion at a free surface too
+    Corrected,
     /// rho_i = sum_j m_j W
     Summation,
 }

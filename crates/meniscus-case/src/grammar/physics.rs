@@ -46,6 +46,7 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
                 let names = [
                     ("continuity", DensityForm::Continuity),
                     ("number", DensityForm::Number),
+                    ("corrected", DensityForm::Corrected),
                     ("summation", DensityForm::Summation),
                 ];
                 node.name_of("density form", &names)

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::{ROWS_PER_TASK, Rates};
 use crate::particles::Particles;
-use crate::physics::continuity::{Continuity, NumberContinuity};
+use crate::physics::continuity::{Continuity, CorrectedContinuity, NumberContinuity};
 use crate::physics::summation::Summation;
 use crate::physics::velocity_smoothing::VelocitySmoothing;
 use crate::scheme::DensityForm;
@@ -17,14 +17,8 @@ impl<const D: usize> Rates<D> {
     pub(crate) fn advance_density(&mut self, particles: &mut Particles<D>, time: f64, dt: f64) {
         self.walls.go_halfway(&self.pairs, particles, dt);
         match self.scheme.density {
-            DensityForm::Continuity | DensityForm::Number => {
-                if self.scheme.density == DensityForm::Number {
-                    self.pairs
-                        .sweep(&NumberContinuity, particles, |_| true, &mut self.scalars);
-                } else {
-                    self.pairs
-                        .sweep(&Continuity, particles, |_| true, &mut self.scalars);
-                }
+            DensityForm::Continuity | DensityForm::Number | DensityForm::Corrected => {
+                self.find_compression(particles);
                 self.walls
                     .compress(&mut self.pairs, particles, &mut self.scalars);
                 self.diffuse(particles, time + 0.5 * dt);
@@ -59,6 +53,38 @@ impl<const D: usize> Rates<D> {
             self.pairs.rebuild(particles);
             // The pilot in the new order of rows, and lengths as a resumed run finds them.
             model.adapt(h, &mut self.pairs, particles, &mut self.pilot);
+        }
+    }
+
+    /// (1/rho) D rho/Dt by the motion of particles, 1/s, into the column of scalars.
+    fn find_compression(&mut self, particles: &Particles<D>) {
+        let rates = &mut self.scalars;
+        match self.scheme.density {
+            DensityForm::Number => {
+                self.pairs
+                    .sweep(&NumberContinuity, particles, |_| true, rates);
+            }
+            DensityForm::Corrected => {
+                let sums = &mut self.velocity_gradients;
+                self.pairs
+                    .sweep(&CorrectedContinuity, particles, |_| true, sums);
+                let walls = &self.walls;
+                rates.resize(particles.len(), 0.0);
+                (rates.par_iter_mut(), &*sums, &particles.body)
+                    .into_par_iter()
+                    .with_min_len(ROWS_PER_TASK)
+                    .for_each(|(rate, sum, &body)| {
+                        // What walls do to the fluid is the adjoint of the plain sum.
+                        *rate = if walls.is_wall(body) {
+                            sum.plain()
+                        } else {
+                            sum.corrected()
+                        };
+                    });
+            }
+            DensityForm::Continuity | DensityForm::Summation => {
+                self.pairs.sweep(&Continuity, particles, |_| true, rates);
+            }
         }
     }
 

@@ -21,6 +21,7 @@ use crate::fluid::Fluid;
 use crate::pairs::Pairs;
 use crate::particles::Particles;
 use crate::physics::adaptive_smoothing::Pilot;
+use crate::physics::continuity::VelocityGradient;
 use crate::physics::density_diffusion::Diffusing;
 use crate::physics::equation_of_state::Tait;
 use crate::physics::grad_h::GradH;
@@ -67,6 +68,7 @@ pub(crate) struct Rates<const D: usize> {
     one_mass: Option<f64>,
     scalars: Vec<f64>,
     vectors: Vec<Vector<f64, D>>,
+    velocity_gradients: Vec<VelocityGradient<f64, D>>,
 }
 
 impl<const D: usize> Rates<D> {
@@ -122,6 +124,7 @@ impl<const D: usize> Rates<D> {
             forces: Vec::new(),
             scalars: Vec::new(),
             vectors: Vec::new(),
+            velocity_gradients: Vec::new(),
         }
     }
 

@@ -136,7 +136,7 @@ impl<const D: usize> Correctable<f64, D> {
 
 /// Mean of A's eigenvalues from which on a corrected gradient is trusted: 1 inside,
 /// 1/2 at a plane surface, 1/4 at a corner of a square, 1/8 of a cube.
-const LEAST_FILLING: f64 = 0.1;
+pub(crate) const LEAST_FILLING: f64 = 0.1;
 
 /// How round A must be to be inverted, see [`Matrix::inverse`]: 1 inside and at a
 /// plane surface, 0.77 at a corner of a square, 0 for particles on a line.
