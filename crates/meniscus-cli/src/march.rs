@@ -18,7 +18,7 @@ use crate::sample::{Sampler, frame};
 use crate::terminal::Voice;
 
 /// Layout of [`meniscus::Snapshot`]; counts up when its fields change.
-pub const STATE_VERSION: u32 = 4;
+pub const STATE_VERSION: u32 = 5;
 /// A checkpoint is written at least this often, whatever the case says.
 const CHECKPOINT_EVERY: Duration = Duration::from_secs(600);
 

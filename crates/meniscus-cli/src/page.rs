@@ -105,6 +105,7 @@ fn parameters(case: &Case) -> Vec<(String, String)> {
     add(
         "surface tension model",
         match &scheme.surface_tension {
+            Some(SurfaceTension::Balanced(_)) => "in balance with the pressure gradient".into(),
             Some(SurfaceTension::JancikHyhlik(_)) => "Jancik and Hyhlik".into(),
             Some(SurfaceTension::Continuum(_)) => "continuum surface force".into(),
             Some(SurfaceTension::Pairwise(model)) => format!("pairwise forces ({})", model.name()),

@@ -16,6 +16,8 @@ pub struct Particles<const D: usize> {
     pub density: Vec<f64>,
     /// Pressure, Pa
     pub pressure: Vec<f64>,
+    /// Curvature that the balanced model of surface tension carries, 1/m; otherwise empty
+    pub curvature: Vec<f64>,
     /// Temperature, K; empty but for a van der Waals fluid
     pub temperature: Vec<f64>,
     /// Its rate, K/s; empty likewise
@@ -58,6 +60,7 @@ impl<const D: usize> Particles<D> {
             acceleration: vec![Vector::ZERO; start.len()],
             density: vec![0.0; start.len()],
             pressure: vec![0.0; start.len()],
+            curvature: Vec::new(),
             temperature: Vec::new(),
             heating: Vec::new(),
             heating_gain: Vec::new(),
@@ -107,6 +110,7 @@ impl<const D: usize> Particles<D> {
         for column in [
             &mut self.density,
             &mut self.pressure,
+            &mut self.curvature,
             &mut self.temperature,
             &mut self.heating,
             &mut self.heating_gain,

@@ -148,6 +148,7 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
             );
         }
     }
+    validate_balanced(setup)?;
     validate_pairwise(setup)?;
     van_der_waals::validate(setup)?;
     validate_adaptive_smoothing(scheme).map_err(SetupError)?;
@@ -236,7 +237,11 @@ fn validate_adaptive_smoothing(scheme: &Scheme) -> Result<(), String> {
     }
     if matches!(
         scheme.surface_tension,
-        Some(SurfaceTension::Continuum(_) | SurfaceTension::Pairwise(_))
+        Some(
+            SurfaceTension::Balanced(_)
+                | SurfaceTension::Continuum(_)
+                | SurfaceTension::Pairwise(_)
+        )
     ) {
         return Err(
             "this model of surface tension is calibrated for one smoothing length, and cannot go with adaptive smoothing"
@@ -255,6 +260,39 @@ fn validate_adaptive_smoothing(scheme: &Scheme) -> Result<(), String> {
             "the grad-h terms belong to the pressure form over-density-squared: no energy is behind the others with density by summation"
                 .into(),
         );
+    }
+    Ok(())
+}
+
+/// What surface tension in balance with the pressure gradient asks of a setup.
+fn validate_balanced<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError> {
+    /// Smoothing length in spacings from which on the surface keeps its order.
+    const LEAST_SMOOTHING: f64 = 1.75;
+    if !matches!(
+        setup.scheme.surface_tension,
+        Some(SurfaceTension::Balanced(_))
+    ) {
+        return Ok(());
+    }
+    let complain = |what: String| {
+        Err(SetupError(format!(
+            "the balanced model of surface tension {what}"
+        )))
+    };
+    let smoothing = setup.scheme.smoothing_length / setup.spacing;
+    if smoothing < LEAST_SMOOTHING {
+        return complain(format!(
+            "needs a smoothing length of 2 spacings, found {smoothing:.2}"
+        ));
+    }
+    if setup.fluids.len() > 1 {
+        return complain(format!(
+            "is for one fluid with a free surface, and there are {}: take the continuum model",
+            setup.fluids.len()
+        ));
+    }
+    if !setup.scheme.walls.is_empty() {
+        return complain("does not know walls: take pairwise forces".into());
     }
     Ok(())
 }

@@ -3,6 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::physics::surface_tension::SurfaceTension;
 use crate::rates::{Dimension, Space};
 use crate::setup::{Setup, SetupError};
 use crate::simulation::Simulation;
@@ -38,6 +39,8 @@ pub struct Snapshot {
     pub acceleration: Vec<f64>,
     /// Densities, kg/m^3.
     pub density: Vec<f64>,
+    /// Curvature that the balanced model of surface tension carries, 1/m; otherwise empty.
+    pub curvature: Vec<f64>,
     /// Temperatures of a van der Waals fluid, K; otherwise empty.
     pub temperature: Vec<f64>,
     /// Their rates, K/s.
@@ -70,6 +73,7 @@ impl Snapshot {
             velocity: flatten(&particles.velocity),
             acceleration: flatten(&particles.acceleration),
             density: particles.density.clone(),
+            curvature: particles.curvature.clone(),
             temperature: particles.temperature.clone(),
             heating: particles.heating.clone(),
             heating_gain: particles.heating_gain.clone(),
@@ -115,7 +119,12 @@ impl<const D: usize> Simulation<D> {
             &snapshot.smoothing_length,
             &snapshot.reference_smoothing_length,
         ];
+        let carries = matches!(
+            simulation.rates.scheme.surface_tension,
+            Some(SurfaceTension::Balanced(_))
+        );
         if snapshot.dimension as usize != D
+            || snapshot.curvature.len() != if carries { rows } else { 0 }
             || !is_permutation
             || lengths.iter().any(|column| column.len() != varying)
             || snapshot.density.len() != rows
@@ -135,6 +144,7 @@ impl<const D: usize> Simulation<D> {
         particles.velocity = unflatten(&snapshot.velocity);
         particles.acceleration = unflatten(&snapshot.acceleration);
         particles.density.copy_from_slice(&snapshot.density);
+        particles.curvature.clone_from(&snapshot.curvature);
         particles.temperature.copy_from_slice(&snapshot.temperature);
         particles.heating.copy_from_slice(&snapshot.heating);
         (particles.heating_gain).copy_from_slice(&snapshot.heating_gain);

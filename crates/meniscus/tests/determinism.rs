@@ -5,6 +5,7 @@ mod common;
 
 use common::{fluid, free_drop, periodic_box};
 use meniscus::pairs::Instructions;
+use meniscus::physics::surface_tension::balanced::Balanced;
 use meniscus::physics::surface_tension::pairwise::Pairwise;
 use meniscus::physics::surface_tension::pairwise::akinci::{Akinci, Curvature};
 use meniscus::physics::wall::layout::Layers;
@@ -118,6 +119,16 @@ fn pairwise_forces_keep_the_promise_too() {
         adhesion: Adhesion::Coefficient(20.0),
         ..Wall::new(1)
     }];
+    same_on_threads(setup.clone());
+    same_after_resume(setup);
+}
+
+/// Its curvature is state.
+#[test]
+fn balanced_surface_tension_keeps_the_promise_too() {
+    let mut setup = free_drop::<2>(0.12, 0.1);
+    setup.scheme.density = DensityForm::Corrected;
+    setup.scheme.surface_tension = Some(SurfaceTension::Balanced(Balanced));
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }

@@ -1,5 +1,6 @@
 //! Models of surface tension; `pairwise` has those of forces between pairs.
 
+use meniscus::physics::surface_tension::balanced::Balanced;
 use meniscus::physics::surface_tension::continuum::{Calibration, Continuum, Correction, Form};
 use meniscus::physics::surface_tension::curvature::Weighting;
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
@@ -9,6 +10,11 @@ use super::pairwise;
 use crate::read::{Choice, Node, Sign};
 
 pub(super) const SURFACE_TENSION: &[Choice<Option<SurfaceTension>>] = &[
+    Choice::new(
+        "balanced",
+        "In balance with the pressure gradient, for one fluid with a free surface.",
+        |node| node.table(|_| Some(SurfaceTension::Balanced(Balanced))),
+    ),
     Choice::new(
         "jancik-hyhlik",
         "Continuum surface force on a free surface, of Jancik and Hyhlik.",

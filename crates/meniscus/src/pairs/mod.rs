@@ -14,8 +14,10 @@
 //! - `sweep`: a term summed over the lists
 //! - `parallel`: loops on all threads
 //! - `buffer`: aligned scratch memory
+//! - `bodies`: which particles hang together
 
 mod arithmetic;
+mod bodies;
 mod buffer;
 mod columns;
 mod entries;
@@ -318,6 +320,12 @@ impl<const D: usize> Pairs<D> {
     /// Whether the smoothing length varies from pair to pair.
     pub(crate) fn smoothing_varies(&self) -> bool {
         matches!(self.smoothing, Smoothing::Mean { .. })
+    }
+
+    /// For each row the body that it belongs to, and how many there are. Particles of two bodies
+    /// have not been within each other's `support` (m) since the lists were built.
+    pub(crate) fn bodies(&self, support: f64) -> (Vec<u32>, usize) {
+        bodies::connected(&self.reference, support + self.skin, &self.domain)
     }
 
     /// How often lists were built.

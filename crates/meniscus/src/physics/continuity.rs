@@ -122,12 +122,6 @@ impl<const D: usize> VelocityGradient<f64, D> {
         let filling = self.matrix.trace() / D as f64;
         let trust = (filling / LEAST_FILLING).clamp(0.0, 1.0);
         let inverse = self.matrix.inverse(LEAST_MATRIX);
-        let mut divergence = 0.0;
-        for d in 0..D {
-            for e in 0..D {
-                divergence += self.gradient.0[d][e] * inverse.0[e][d];
-            }
-        }
-        -trust * divergence
+        -trust * self.gradient.trace_of_product(&inverse)
     }
 }

@@ -54,6 +54,8 @@ pub(crate) struct Rates<const D: usize> {
     pull: Option<Pull<D>>,
     /// Rows of walls whose pressure balances these.
     bearing: Vec<usize>,
+    /// Bodies without a wall, where surface tension balances them.
+    free: surface::FreeBodies,
     viscous_stress: ViscousStress<D>,
     diffusing: Diffusing<D>,
     pub(crate) van_der_waals: Option<Cohesive<D>>,
@@ -109,6 +111,7 @@ impl<const D: usize> Rates<D> {
             at_surface,
             pull,
             bearing: Vec::new(),
+            free: surface::FreeBodies::default(),
             viscous_stress: ViscousStress::default(),
             diffusing: Diffusing::default(),
             van_der_waals,

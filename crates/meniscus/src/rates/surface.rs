@@ -4,15 +4,51 @@ use super::{Rates, mean_spacing};
 use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::surface_tension::SurfaceTension;
+use crate::physics::surface_tension::balanced::{self, Bodies};
 use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
 use crate::scheme::Bearing;
 use crate::vector::Vector;
+use crate::walls::Walls;
+
+/// Which body each row belongs to, as of the last lists.
+#[derive(Debug, Default)]
+pub(super) struct FreeBodies {
+    of_row: Vec<u32>,
+    count: usize,
+    built: Option<u64>,
+}
+
+impl FreeBodies {
+    /// Finds them anew where lists are new.
+    fn find<const D: usize>(
+        &mut self,
+        pairs: &Pairs<D>,
+        support: f64,
+        particles: &Particles<D>,
+        walls: &Walls<D>,
+    ) {
+        if self.built == Some(pairs.builds()) {
+            return;
+        }
+        self.built = Some(pairs.builds());
+        (self.of_row, self.count) = pairs.bodies(support);
+        let mut held = vec![false; self.count];
+        for (body, &of) in particles.body.iter().zip(&self.of_row) {
+            held[of as usize] |= walls.is_wall(*body);
+        }
+        for of in &mut self.of_row {
+            if held[*of as usize] {
+                *of = u32::MAX;
+            }
+        }
+    }
+}
 
 impl<const D: usize> Rates<D> {
     /// Adds the acceleration by surface tension, m/s^2.
     pub(super) fn pull_surface(
         &mut self,
-        particles: &Particles<D>,
+        particles: &mut Particles<D>,
         acceleration: &mut [Vector<f64, D>],
     ) {
         let smoothing_length = self.scheme.smoothing_length;
@@ -43,6 +79,27 @@ impl<const D: usize> Rates<D> {
                 model.accelerate(
                     &mut self.pairs,
                     &mut self.at_surface,
+                    particles,
+                    surroundings,
+                    &mut self.surface,
+                    acceleration,
+                );
+            }
+            Some(SurfaceTension::Balanced(model)) => {
+                let support = self.scheme.kernel.support() * smoothing_length;
+                self.free.find(&self.pairs, support, particles, &self.walls);
+                let surroundings = balanced::Surroundings {
+                    surface_tension: self.fluids[0].surface_tension,
+                    kernel: self.scheme.kernel,
+                    smoothing_length,
+                    spacing: mean_spacing(&self.fluids, particles),
+                    bodies: Bodies {
+                        of_row: &self.free.of_row,
+                        count: self.free.count,
+                    },
+                };
+                model.accelerate(
+                    &mut self.pairs,
                     particles,
                     surroundings,
                     &mut self.surface,

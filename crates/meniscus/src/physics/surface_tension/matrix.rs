@@ -103,9 +103,24 @@ impl<const D: usize> Matrix<f64, D> {
 
     /// The trace of the square.
     pub fn trace_of_square(&self) -> f64 {
-        let entry = |row: usize, column: usize| self.0[row][column] * self.0[column][row];
+        self.trace_of_product(self)
+    }
+
+    /// The trace of the product with another.
+    pub fn trace_of_product(&self, other: &Self) -> f64 {
+        let entry = |row: usize, column: usize| self.0[row][column] * other.0[column][row];
         (0..D)
             .map(|row| (0..D).map(|column| entry(row, column)).sum::<f64>())
             .sum()
+    }
+
+    /// Its part in the plane across a unit vector: P M P, P = 1 - u u.
+    pub fn within(&self, across: &Vector<f64, D>) -> Self {
+        let rows = self.0.map(|row| row - *across * row.dot(across));
+        let mut sum = Vector::ZERO;
+        for d in 0..D {
+            sum += rows[d] * across[d];
+        }
+        Matrix(std::array::from_fn(|d| rows[d] - sum * across[d]))
     }
 }

@@ -1,5 +1,6 @@
 //! Models of surface tension.
 //!
+//! - [`balanced`]: in balance with the pressure gradient, for one fluid with a free surface
 //! - [`jancik_hyhlik`]: continuum surface force of a free surface
 //! - [`continuum`]: continuum surface force of a free surface or between two fluids
 //! - [`pairwise`]: forces between pairs of particles, that of walls among them
@@ -10,6 +11,7 @@
 //! - [`matrix`]: small square matrices
 //! - [`surface`]: what a model finds on the way
 
+pub mod balanced;
 pub mod continuum;
 pub mod curvature;
 pub mod gradient;
@@ -18,6 +20,7 @@ pub mod matrix;
 pub mod pairwise;
 pub mod surface;
 
+use balanced::Balanced;
 use continuum::Continuum;
 use jancik_hyhlik::JancikHyhlik;
 use pairwise::Pairwise;
@@ -25,6 +28,8 @@ use pairwise::Pairwise;
 /// A model of surface tension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SurfaceTension {
+    /// In balance with the pressure gradient: one fluid with a free surface.
+    Balanced(Balanced),
     /// Free-surface continuum surface force of Jancik and Hyhlik.
     JancikHyhlik(JancikHyhlik),
     /// Continuum surface force of Morris, or of Qiang, Chen and Gao.

@@ -1,6 +1,6 @@
 //! What a model of the surface finds on the way.
 
-use super::{continuum, jancik_hyhlik};
+use super::{balanced, continuum, jancik_hyhlik};
 use crate::particles::Particles;
 use crate::vector::Vector;
 
@@ -23,6 +23,7 @@ pub struct Surface<const D: usize> {
     /// them: zero for an exact force on closed surfaces.
     pub net_force: Vector<f64, D>,
     pub(super) active: usize,
+    pub(super) balanced: balanced::Scratch<D>,
     pub(super) jancik_hyhlik: jancik_hyhlik::Scratch<D>,
     pub(super) continuum: continuum::Scratch<D>,
 }

@@ -37,6 +37,7 @@ impl<const D: usize> Cloud<D> {
             acceleration,
             density,
             pressure,
+            curvature: _,
             temperature: _,
             heating: _,
             heating_gain: _,

@@ -1,0 +1,96 @@
+//! The forces on a free body add up to nothing, and neither do their moments. Those of a
+//! curvature that is estimated particle by particle do not quite: what is left is taken off as
+//! a uniform acceleration and a rotation about the centre of mass. Taken off the surface
+//! alone, it would drive a circulation.
+
+use super::super::matrix::Matrix;
+use crate::particles::Particles;
+use crate::vector::Vector;
+
+/// Which particles move freely together.
+#[derive(Clone, Copy, Debug)]
+pub struct Bodies<'a> {
+    /// The body of each row, those of a wall and of what touches one beyond `count`.
+    pub of_row: &'a [u32],
+    /// Number of bodies.
+    pub count: usize,
+}
+
+#[derive(Clone, Copy, Default)]
+struct Balance {
+    mass: f64,
+    moment_of_mass: [f64; 3],
+    force: [f64; 3],
+    moment: [f64; 3],
+    inertia: [[f64; 3]; 3],
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|d| {
+        let (e, f) = ((d + 1) % 3, (d + 2) % 3);
+        a[e] * b[f] - a[f] * b[e]
+    })
+}
+
+/// Takes what forces per volume (N/m^3) add up to, and their moments, off each body.
+/// Returns the sum of all forces before, N (N/m in 2D).
+pub(super) fn balance<const D: usize>(
+    bodies: Bodies<'_>,
+    particles: &Particles<D>,
+    force: &mut [Vector<f64, D>],
+) -> Vector<f64, D> {
+    let mut balances = vec![Balance::default(); bodies.count];
+    let mut net = Vector::ZERO;
+    for (i, &body) in bodies.of_row.iter().enumerate() {
+        let pull = force[i] * particles.volume(i);
+        net += pull;
+        if let Some(balance) = balances.get_mut(body as usize) {
+            let (x, pull) = (particles.position[i].to_3d(), pull.to_3d());
+            balance.mass += particles.mass[i];
+            for d in 0..3 {
+                balance.moment_of_mass[d] += particles.mass[i] * x[d];
+                balance.force[d] += pull[d];
+            }
+        }
+    }
+    let centre = |balance: &Balance| balance.moment_of_mass.map(|moment| moment / balance.mass);
+    for (i, &body) in bodies.of_row.iter().enumerate() {
+        let Some(balance) = balances.get_mut(body as usize) else {
+            continue;
+        };
+        let (x, middle) = (particles.position[i].to_3d(), centre(balance));
+        let arm: [f64; 3] = std::array::from_fn(|d| x[d] - middle[d]);
+        let moment = cross(arm, (force[i] * particles.volume(i)).to_3d());
+        let square: f64 = arm.iter().map(|x| x * x).sum();
+        for d in 0..3 {
+            balance.moment[d] += moment[d];
+            for e in 0..3 {
+                let diagonal = if d == e { square } else { 0.0 };
+                balance.inertia[d][e] += particles.mass[i] * (diagonal - arm[d] * arm[e]);
+            }
+        }
+    }
+    let turns: Vec<[f64; 3]> = balances.iter().map(Balance::turning).collect();
+    for (i, &body) in bodies.of_row.iter().enumerate() {
+        let Some(balance) = balances.get(body as usize) else {
+            continue;
+        };
+        let (x, middle) = (particles.position[i].to_3d(), centre(balance));
+        let arm = std::array::from_fn(|d| x[d] - middle[d]);
+        let turn = cross(turns[body as usize], arm);
+        let acceleration = std::array::from_fn(|d| balance.force[d] / balance.mass + turn[d]);
+        force[i] -= Vector::from_3d(acceleration) * particles.density[i];
+    }
+    net
+}
+
+impl Balance {
+    /// Angular acceleration, 1/s^2. Of particles on a line, whose inertia cannot be inverted,
+    /// a half.
+    fn turning(&self) -> [f64; 3] {
+        /// How round the moments of inertia must be, see [`Matrix::inverse`].
+        const LEAST: f64 = 1e-3;
+        let inverse = Matrix(self.inertia.map(Vector)).inverse(LEAST);
+        inverse.times(&Vector(self.moment)).0
+    }
+}
