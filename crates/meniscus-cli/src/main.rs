@@ -34,6 +34,7 @@ mod regression;
 mod reproduce;
 mod runner;
 mod sample;
+mod side_by_side;
 mod starter;
 mod table;
 mod terminal;

@@ -15,6 +15,7 @@ use crate::convergence::Convergence;
 use crate::failure::{Failure, NOT_REPRODUCED};
 use crate::progress::duration;
 use crate::regression::Regression;
+use crate::side_by_side::{Panel, SideBySide};
 use crate::terminal::{Voice, answer, complain};
 use crate::verdict::{Row, Verdict, rows_as_table};
 use crate::{interrupt, runner};
@@ -34,6 +35,9 @@ struct Reproduction {
     /// Lines through numbers of drops of several sizes.
     #[serde(default)]
     regression: Vec<Regression>,
+    /// The last frames of several cases side by side.
+    #[serde(default)]
+    picture: Vec<SideBySide>,
 }
 
 /// One number of the paper.
@@ -104,6 +108,7 @@ pub fn reproduce(
     );
     let begin = Instant::now();
     let jobs = claim(&plan, paper, &root, force)?;
+    let panels: Vec<Panel> = jobs.iter().map(Panel::of).collect();
     // Standard output of --json belongs to the JSON.
     let tell = |line: &str| match json {
         true if voice.quiet => {}
@@ -139,6 +144,12 @@ pub fn reproduce(
         match group.judge(&values, finding) {
             Ok((number, value)) => rows.push(Row::judge(&number, value.map(|y| (y, None)))),
             Err(problem) => problems.push(problem),
+        }
+    }
+    for picture in &plan.picture {
+        match picture.draw(&panels, &root) {
+            Ok(path) => tell(&format!("picture: {}", path.display())),
+            Err(failure) => problems.push(failure.message().to_owned()),
         }
     }
     if json {

@@ -15,7 +15,7 @@ pub(super) fn measure(case: &Case, series: &Series, findings: &mut Findings) {
         return;
     };
     let fluid = &case.fluids[body.fluid];
-    let given = Some(("given", fluid.surface_tension));
+    let given = Some(("given", fluid.surface_tension)).filter(|(_, sigma)| *sigma > 0.0);
     let theory = expected::oscillation(case);
     let by_moments = [
         ("semi-axis x", "", "axis x (moments)"),

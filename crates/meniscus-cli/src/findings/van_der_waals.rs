@@ -19,6 +19,8 @@ const IDS: [&str; PROFILE.len()] = [
     "inside-radius",
     "mechanical-pressure",
     "sigma-mechanical",
+    "liquid-density",
+    "vapour-density",
 ];
 
 /// All that such a drop shows.
@@ -72,14 +74,32 @@ fn profile(case: &Case, series: &Series, findings: &mut Findings) {
     for (slot, (column, _)) in means.iter_mut().zip(PROFILE) {
         *slot = mean(series, column, asked).unwrap_or(*slot);
     }
-    let [density, _, _, _, _, _, radius, pressure, _] = means;
+    let phases = mean(series, "mean temperature", asked).and_then(|temperature| {
+        let critical = model.substance.critical_point();
+        let phases = theory::coexistence(temperature.value / critical.temperature)?;
+        Some([phases.liquid, phases.vapour].map(|density| density * critical.density))
+    });
+    let [density, _, _, _, _, _, radius, pressure, ..] = means;
+    let drop = density.value.is_finite();
     let long = model.cohesion_range * case.scheme.smoothing_length;
     let kernel = case.scheme.kernel;
     let cohesion = model.substance.cohesion;
     let step = theory::step_surface_tension(cohesion, density.value, kernel, long, case.dimension);
     for ((found, (name, unit)), id) in means.into_iter().zip(PROFILE).zip(IDS) {
-        let reference = (id == "sigma-mechanical").then_some(("sharp surface", step));
-        findings.add(id, name, unit, reference, found);
+        let [liquid, vapour] = phases.unwrap_or([f64::NAN; 2]);
+        let reference = match id {
+            "sigma-mechanical" => Some(("sharp surface", step)),
+            "inside-density" | "liquid-density" => Some(("Maxwell", liquid)),
+            "vapour-density" => Some(("Maxwell", vapour)),
+            _ => None,
+        };
+        let of_box = matches!(id, "liquid-density" | "vapour-density");
+        if of_box != drop {
+            findings.add(id, name, unit, reference, found);
+        }
+    }
+    if !drop {
+        return;
     }
     let by_laplace =
         theory::surface_tension_from_pressure(pressure.value, radius.value, case.dimension);
@@ -159,13 +179,56 @@ fn swings(case: &Case, asked: &Deformation, series: &Series, findings: &mut Find
             aspect,
         );
     }
+    if let (Some([before, _, last]), Some(state)) = (turns.last_chunk(), at_rest(case, series)) {
+        let period = since[*last] - since[*before];
+        let name = "period of the last whole swing";
+        let theory = Some(("Rayleigh, mechanical surface tension", state.period));
+        findings.add("swing-period", name, "s", theory, exact(period));
+        let omega = std::f64::consts::TAU / period;
+        let sigma = theory::surface_tension_from_frequency(
+            2,
+            omega,
+            state.density,
+            state.radius,
+            case.dimension,
+        );
+        let name = "surface tension by that period";
+        findings.add("sigma-swing", name, "N/m", None, exact(sigma));
+    }
     let rate = match turns[..] {
         [first, .., last] => (swing[first] / swing[last]).abs().ln() / (since[last] - since[first]),
         _ => relaxation(&since, &swing),
     };
     if rate.is_finite() {
-        damping(case, rate, findings);
+        damping(case, rate, at_rest(case, series), findings);
     }
+}
+
+/// A drop before it is drawn out.
+struct AtRest {
+    density: f64,
+    radius: f64,
+    /// By the forces across its surface, N/m.
+    sigma: f64,
+    /// Of its mode of two lobes, by Rayleigh and its mechanical surface tension, s.
+    period: f64,
+}
+
+fn at_rest(case: &Case, series: &Series) -> Option<AtRest> {
+    let asked = case.measure.drop_profile.as_ref()?;
+    let of = |name: &str| Some(mean(series, name, asked)?.value);
+    let (density, radius) = (
+        of("density inside")?,
+        of("radius by mass and density inside")?,
+    );
+    let sigma = of("mechanical surface tension")?;
+    let omega = theory::angular_frequency(2, sigma, density, radius, case.dimension);
+    Some(AtRest {
+        density,
+        radius,
+        sigma,
+        period: std::f64::consts::TAU / omega,
+    })
 }
 
 /// The rate at which a swing without return falls from a half to an eighth of its start, 1/s.
@@ -179,7 +242,7 @@ fn relaxation(since: &[f64], swing: &[f64]) -> f64 {
 }
 
 /// The rate beside Lamb's of the viscosity, and the viscosity that would have it.
-fn damping(case: &Case, rate: f64, findings: &mut Findings) {
+fn damping(case: &Case, rate: f64, state: Option<AtRest>, findings: &mut Findings) {
     let viscosity = case.fluids[0].viscosity;
     let body = &case.bodies[0];
     let radius = theory::equivalent_radius(body.volume, case.dimension);
@@ -197,4 +260,11 @@ fn damping(case: &Case, rate: f64, findings: &mut Findings) {
         given,
         exact(rate / per * density),
     );
+    if let Some(state) = state {
+        let momentum = (state.density * state.sigma * state.radius).sqrt();
+        let name = "Reynolds number sqrt(rho sigma R) / mu of that viscosity";
+        let nominal = Some(("given", momentum / viscosity));
+        let effective = momentum * per / rate / density;
+        findings.add("effective-reynolds", name, "", nominal, exact(effective));
+    }
 }

@@ -19,7 +19,7 @@ pub const TEMPERATURES: [&str; 3] = [
 ];
 
 /// Columns of `drop_profile`, filled while it is wanted.
-pub const PROFILE: [(&str, &str); 9] = [
+pub const PROFILE: [(&str, &str); 11] = [
     ("density inside", "kg/m^3"),
     ("temperature inside", "K"),
     ("radius of half the density", "m"),
@@ -29,6 +29,8 @@ pub const PROFILE: [(&str, &str); 9] = [
     ("radius by mass and density inside", "m"),
     ("mechanical pressure inside", "Pa"),
     ("mechanical surface tension", "N/m"),
+    ("liquid density", "kg/m^3"),
+    ("vapour density", "kg/m^3"),
 ];
 
 /// Part of the outermost radius that counts as inside.
@@ -65,8 +67,16 @@ pub fn row<const D: usize>(case: &Case, simulation: &Simulation<D>) -> Vec<f64> 
     if let Some(asked) = &case.measure.drop_profile {
         let now = simulation.time();
         let wanted = now >= asked.from && now <= asked.to * (1.0 + 1e-3);
-        let profile = wanted.then(|| profile(case, p, flow)).flatten();
-        row.extend(profile.unwrap_or([f64::NAN; PROFILE.len()]));
+        let open = case.periodic.iter().all(Option::is_none);
+        let mut values = [f64::NAN; PROFILE.len()];
+        let (alone, phases) = values.split_at_mut(PROFILE.len() - 2);
+        if let (true, true, Some(found)) = (wanted, open, profile(case, p, flow)) {
+            alone.copy_from_slice(&found);
+        }
+        if let (true, false, Some(found)) = (wanted, open, phases_of(case, p)) {
+            phases.copy_from_slice(&found);
+        }
+        row.extend(values);
     }
     row
 }
@@ -76,7 +86,7 @@ fn profile<const D: usize>(
     case: &Case,
     p: &Particles<D>,
     flow: &Flow<D>,
-) -> Option<[f64; PROFILE.len()]> {
+) -> Option<[f64; PROFILE.len() - 2]> {
     let scheme = &case.scheme;
     let centre = centre_of_mass(&p.position, &p.mass)?;
     let outline = Outline::measure(&p.position, &p.mass, case.spacing)?;
@@ -110,6 +120,48 @@ fn profile<const D: usize>(
         stress.inner_pressure::<D>(depth),
         stress.surface_tension(depth),
     ])
+}
+
+/// Densities of a drop and of the vapour that fills the rest of a periodic box, kg/m^3, by the
+/// mass in rings about the drop: in its inner half, and from four spacings outside to the box.
+/// What summation gives a lone particle, its own kernel, does not count.
+fn phases_of<const D: usize>(case: &Case, p: &Particles<D>) -> Option<[f64; 2]> {
+    let mut squares = vec![0.0; p.len()];
+    let mut reach = f64::INFINITY;
+    for (d, axis) in case.periodic.iter().enumerate().take(D) {
+        let length = axis.map(|(low, high)| high - low)?;
+        reach = reach.min(0.5 * length);
+        // The mean direction on the circle that the axis is, by what is dense.
+        let turn = std::f64::consts::TAU / length;
+        let (mut sine, mut cosine) = (0.0, 0.0);
+        for i in 0..p.len() {
+            let weight = p.density[i].powi(2);
+            sine += weight * (turn * p.position[i][d]).sin();
+            cosine += weight * (turn * p.position[i][d]).cos();
+        }
+        let centre = sine.atan2(cosine) / turn;
+        for (square, x) in squares.iter_mut().zip(&p.position) {
+            let offset = x[d] - centre;
+            *square += (offset - length * (offset / length).round()).powi(2);
+        }
+    }
+    let radii: Vec<f64> = squares.iter().map(|square| square.sqrt()).collect();
+    let between = |from: f64, to: f64| {
+        let inside = radii
+            .iter()
+            .zip(&p.mass)
+            .filter(|(r, _)| **r >= from && **r < to);
+        let mass: f64 = inside.map(|(_, m)| m).sum();
+        let unit = if D == 2 { 1.0 } else { 4.0 / 3.0 } * std::f64::consts::PI;
+        mass / (unit * (to.powi(D as i32) - from.powi(D as i32)))
+    };
+    let width = 2.0 * case.spacing;
+    let rings = (reach / width) as usize;
+    let of_ring = |k: usize| between(k as f64 * width, (k + 1) as f64 * width);
+    let half = 0.5 * (between(0.0, 2.0 * width) + of_ring(rings.checked_sub(1)?));
+    let edge = (0..rings).find(|&k| of_ring(k) < half)? as f64 * width;
+    let clear = edge + 4.0 * case.spacing;
+    (clear + width < reach).then(|| [between(0.0, 0.5 * edge), between(clear, reach)])
 }
 
 /// Fields of a frame, whose rows come in this order.

@@ -1,15 +1,17 @@
 //! The heat of pressure and viscosity, and conduction (Sigalotti, Daza and Donoso, eq. 4 and 6):
 //!
-//! - X_ij    = S_i / rho_i^2 + S_j / rho_j^2
-//! - dU_i/dt = 1/2 sum_j m_j (v_j - v_i) . X_ij grad W_ij + conduction
+//! - dU_i/dt = sum_j m_j (v_j - v_i) . S_i / rho_i^2 grad W_ij + conduction
 //!
-//! so that a pair shares the work of its forces, and what motion loses heat gains. Conduction is one of
+//! Each particle takes the work of its own stress, and what motion loses heat gains. Printed is
+//! 1/2 sum_j m_j (v_j - v_i) . (S_i / rho_i^2 + S_j / rho_j^2) grad W_ij, the same in all, where a pair shares
+//! evenly: then a cold particle loses the work of a hot one, and goes below zero kelvin as the tips
+//! of a drawn-out drop expand; from its own it cannot. Conduction is one of
 //!
 //! - sum_j m_j 2 kappa / (rho_i rho_j) (T_i - T_j) r . grad W_ij / r^2             between pairs
 //! - -sum_j m_j (q_i / rho_i^2 + q_j / rho_j^2) . grad W_ij, q = -kappa grad T    as printed
 //!
 //! A kick changes the velocity while it works. Its heat is that of the mean velocity, which
-//! differs from v by a multiple of the acceleration: the second sum is 1/2 sum_j m_j (a_j - a_i) . X_ij grad W_ij.
+//! differs from v by a multiple of the acceleration: the second sum has that in place of velocity.
 
 use super::stress::Stressed;
 use crate::particles::Particles;
@@ -91,14 +93,18 @@ impl<const D: usize> PairTerm<D> for Heat<'_, D> {
         ij: &Pair<R, D>,
         sum: &mut Warmth<R, D>,
     ) {
-        let push = Stressed::push(&i.stressed, &j.stressed, ij);
+        let weighted = ij.grad_w * j.stressed.mass;
+        let mut push = weighted;
+        for d in 0..D {
+            push.0[d] = i.stressed.stress.0[d].dot(&weighted);
+        }
         let exchange = (i.temperature - j.temperature)
             * (i.specific_volume * j.specific_volume)
             * ij.slope_over_distance
             * (2.0 * self.conductivity);
         let flow = exchange - (i.flux + j.flux).dot(&ij.grad_w);
-        let work = (j.velocity - i.velocity).dot(&push) * 0.5;
+        let work = (j.velocity - i.velocity).dot(&push);
         sum.heat = sum.heat + work + flow * j.stressed.mass;
-        sum.gain = sum.gain + (j.acceleration - i.acceleration).dot(&push) * 0.5;
+        sum.gain = sum.gain + (j.acceleration - i.acceleration).dot(&push);
     }
 }

@@ -30,19 +30,6 @@ record! {
     }
 }
 
-impl<R: Real, const D: usize> Stressed<R, D> {
-    /// What j does to the velocity of i, m/s^2.
-    #[inline(always)]
-    pub(super) fn push(i: &Self, j: &Self, ij: &Pair<R, D>) -> Vector<R, D> {
-        let weighted = ij.grad_w * j.mass;
-        let mut push = weighted;
-        for d in 0..D {
-            push.0[d] = (i.stress.0[d] + j.stress.0[d]).dot(&weighted);
-        }
-        push
-    }
-}
-
 impl<const D: usize> PairTerm<D> for Stress<'_, D> {
     type Record<R: Real> = Stressed<R, D>;
     type Sum<R: Real> = Vector<R, D>;
@@ -63,6 +50,9 @@ impl<const D: usize> PairTerm<D> for Stress<'_, D> {
         ij: &Pair<R, D>,
         sum: &mut Vector<R, D>,
     ) {
-        *sum += Stressed::push(i, j, ij);
+        let weighted = ij.grad_w * j.mass;
+        for d in 0..D {
+            sum.0[d] = sum.0[d] + (i.stress.0[d] + j.stress.0[d]).dot(&weighted);
+        }
     }
 }
