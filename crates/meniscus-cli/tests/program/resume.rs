@@ -163,3 +163,61 @@ fn a_folder_without_a_run_is_not_resumed() {
     );
     assert_eq!(place.names("."), ["rod.toml"]);
 }
+
+/// A van der Waals drop of 100 particles that is drawn out at `time`, with a checkpoint at 0.5 s.
+fn drawn_out_at(time: &str) -> String {
+    format!(
+        r#"dimension = 2
+spacing = "0.75 m"
+end_time = "1 s"
+kernel = "lucy-quartic"
+smoothing_length = "3 dx"
+
+[fluid.vdw]
+density = "1.7 kg/m^3"
+viscosity = "1 Pa s"
+
+[fluid.vdw.van_der_waals]
+substance = {{ constants = {{ gas_constant = "1 J/kg/K", cohesion = "2 Pa m^6/kg^2", excluded_volume = "0.5 m^3/kg" }} }}
+temperature = "0.3 K"
+conductivity = "5 W/m/K"
+
+[[body]]
+shape = {{ block = {{ low = ["-5 dx", "-5 dx"], high = ["5 dx", "5 dx"] }} }}
+
+[physics]
+adaptive_smoothing = {{ k = 0.9, epsilon = 0.6 }}
+time_step = "10 ms"
+
+[deformation]
+time = "{time}"
+aspect = 1.5
+settling = "0.5 /s"
+
+[output]
+series = "0.1 s"
+checkpoints = "0.5 s"
+
+[measure]
+drop_profile = {{}}
+"#
+    )
+}
+
+#[test]
+fn a_drop_is_drawn_out_once_before_a_resume_or_after_it() {
+    for time in ["0.3 s", "0.7 s"] {
+        let place = Workplace::new("resume-drawn-out");
+        place.write("drop.toml", &drawn_out_at(time));
+        place.run(&["run", "drop.toml", "--threads", "1"]).ok();
+        let whole = result(&place, "out/drop");
+        // As if it had been killed after half the time.
+        let checkpoints = place.names("out/drop/checkpoints");
+        let last = format!("out/drop/checkpoints/{}", checkpoints.last().unwrap());
+        fs::remove_file(place.path(&last)).unwrap();
+        fs::remove_file(place.path("out/drop/run.json")).unwrap();
+        let resumed = place.run(&["resume", "out/drop", "--threads", "2"]).ok();
+        has(&resumed.out, &["going on from step 50"]);
+        assert_same(&result(&place, "out/drop"), &whole);
+    }
+}
