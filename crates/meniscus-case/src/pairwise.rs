@@ -58,7 +58,19 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
         };
         let name = &wall.name;
         let is_coefficient = matches!(wall.adhesion, Adhesion::Coefficient(_));
+        let balanced = matches!(
+            draft.physics.surface_tension,
+            Some(SurfaceTension::Balanced(_))
+        );
         match model {
+            None if balanced && !is_coefficient => {}
+            None if balanced => say(
+                Severity::Error,
+                span,
+                format!("\"{name}\" has a coefficient of another model"),
+                "`adhesion` is beta of \"akinci\"",
+                "give `contact_angle` instead",
+            ),
             None => say(
                 Severity::Error,
                 span,

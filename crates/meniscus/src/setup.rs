@@ -13,7 +13,7 @@ use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::pairwise::Pairwise;
 use crate::physics::surface_tension::pairwise::akinci::Akinci;
 use crate::physics::surface_tension::pairwise::lennard_jones::LennardJones;
-use crate::physics::wall::Adhesion;
+use crate::physics::wall::{Adhesion, Wall};
 use crate::scheme::{
     AdaptiveSmoothing, DensityDiffusion, DensityForm, PressureForm, Scheme, TimeStep, VanDerWaals,
 };
@@ -291,8 +291,9 @@ fn validate_balanced<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError>
             setup.fluids.len()
         ));
     }
-    if !setup.scheme.walls.is_empty() {
-        return complain("does not know walls: take pairwise forces".into());
+    let adhesion = |wall: &Wall| matches!(wall.adhesion, Adhesion::Coefficient(_));
+    if setup.scheme.walls.iter().any(adhesion) {
+        return complain("takes a contact angle of a wall, not a coefficient of adhesion".into());
     }
     Ok(())
 }
@@ -317,9 +318,10 @@ fn validate_pairwise<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError>
                 wall.adhesion
             ));
         }
-        if wall.adhesion != Adhesion::None && model.is_none() {
+        let balanced = matches!(scheme.surface_tension, Some(SurfaceTension::Balanced(_)));
+        if wall.adhesion != Adhesion::None && model.is_none() && !balanced {
             return complain(format!(
-                "wall {index} has adhesion, which only pairwise forces of surface tension know"
+                "wall {index} has adhesion, which pairwise forces of surface tension and the balanced model know"
             ));
         }
         if matches!(wall.adhesion, Adhesion::Coefficient(_))

@@ -336,8 +336,22 @@ impl<const D: usize> Pairs<D> {
 
     /// For each row the body that it belongs to, and how many there are. Particles of two bodies
     /// have not been within each other's `support` (m) since the lists were built.
-    pub(crate) fn bodies(&self, support: f64) -> (Vec<u32>, usize) {
-        bodies::connected(&self.reference, support + self.skin, &self.domain)
+    /// Rows that do not take part have none.
+    pub(crate) fn bodies(
+        &self,
+        support: f64,
+        takes_part: impl Fn(usize) -> bool,
+    ) -> (Vec<u32>, usize) {
+        let rows: Vec<usize> = (0..self.reference.len())
+            .filter(|&i| takes_part(i))
+            .collect();
+        let points: Vec<_> = rows.iter().map(|&i| self.reference[i]).collect();
+        let (of, count) = bodies::connected(&points, support + self.skin, &self.domain);
+        let mut of_row = vec![u32::MAX; self.reference.len()];
+        for (row, of) in rows.into_iter().zip(of) {
+            of_row[row] = of;
+        }
+        (of_row, count)
     }
 
     /// How often lists were built.

@@ -31,16 +31,8 @@ impl FreeBodies {
             return;
         }
         self.built = Some(pairs.builds());
-        (self.of_row, self.count) = pairs.bodies(support);
-        let mut held = vec![false; self.count];
-        for (body, &of) in particles.body.iter().zip(&self.of_row) {
-            held[of as usize] |= walls.is_wall(*body);
-        }
-        for of in &mut self.of_row {
-            if held[*of as usize] {
-                *of = u32::MAX;
-            }
-        }
+        let is_liquid = |row: usize| !walls.is_wall(particles.body[row]);
+        (self.of_row, self.count) = pairs.bodies(support, is_liquid);
     }
 }
 
@@ -92,11 +84,12 @@ impl<const D: usize> Rates<D> {
                     surface_tension: self.fluids[0].surface_tension,
                     kernel: self.scheme.kernel,
                     smoothing_length,
-                    spacing: mean_spacing(&self.fluids, particles),
+                    spacing: self.spacing,
                     bodies: Bodies {
                         of_row: &self.free.of_row,
                         count: self.free.count,
                     },
+                    wetting: &self.wetting,
                 };
                 model.accelerate(
                     &mut self.pairs,
