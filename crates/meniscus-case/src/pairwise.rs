@@ -57,26 +57,19 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
             continue;
         };
         let name = &wall.name;
-        let is_coefficient = matches!(wall.adhesion, Adhesion::Coefficient(_));
-        let balanced = matches!(
+        let by_energy = matches!(
             draft.physics.surface_tension,
-            Some(SurfaceTension::Balanced(_))
+            Some(SurfaceTension::TotalVariation(_))
         );
+        let is_coefficient = matches!(wall.adhesion, Adhesion::Coefficient(_));
         match model {
-            None if balanced && !is_coefficient => {}
-            None if balanced => say(
-                Severity::Error,
-                span,
-                format!("\"{name}\" has a coefficient of another model"),
-                "`adhesion` is beta of \"akinci\"",
-                "give `contact_angle` instead",
-            ),
+            None if by_energy && !is_coefficient => {}
             None => say(
                 Severity::Error,
                 span,
                 format!("\"{name}\" can not attract the fluid"),
-                "only pairwise forces know adhesion",
-                "choose one of them, such as surface_tension = \"akinci\" under [physics]",
+                "this model of surface tension knows no walls that attract",
+                "give a contact_angle, and surface_tension = \"total-variation\" under [physics]; or pairwise forces, such as \"akinci\"",
             ),
             Some(model) if is_coefficient && model.akinci().is_none() => say(
                 Severity::Error,

@@ -13,7 +13,7 @@ use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::pairwise::Pairwise;
 use crate::physics::surface_tension::pairwise::akinci::Akinci;
 use crate::physics::surface_tension::pairwise::lennard_jones::LennardJones;
-use crate::physics::wall::{Adhesion, Wall};
+use crate::physics::wall::Adhesion;
 use crate::scheme::{
     AdaptiveSmoothing, DensityDiffusion, DensityForm, PressureForm, Scheme, TimeStep, VanDerWaals,
 };
@@ -149,6 +149,16 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
         }
     }
     validate_balanced(setup)?;
+    if matches!(
+        scheme.surface_tension,
+        Some(SurfaceTension::TotalVariation(_))
+    ) && setup.fluids.len() > 1
+    {
+        return complain(format!(
+            "total variation is for one fluid with a free surface, and there are {}: take the continuum model",
+            setup.fluids.len()
+        ));
+    }
     validate_pairwise(setup)?;
     van_der_waals::validate(setup)?;
     validate_adaptive_smoothing(scheme).map_err(SetupError)?;
@@ -291,9 +301,8 @@ fn validate_balanced<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError>
             setup.fluids.len()
         ));
     }
-    let adhesion = |wall: &Wall| matches!(wall.adhesion, Adhesion::Coefficient(_));
-    if setup.scheme.walls.iter().any(adhesion) {
-        return complain("takes a contact angle of a wall, not a coefficient of adhesion".into());
+    if !setup.scheme.walls.is_empty() {
+        return complain("does not know walls: take pairwise forces".into());
     }
     Ok(())
 }
@@ -318,10 +327,16 @@ fn validate_pairwise<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError>
                 wall.adhesion
             ));
         }
-        let balanced = matches!(scheme.surface_tension, Some(SurfaceTension::Balanced(_)));
-        if wall.adhesion != Adhesion::None && model.is_none() && !balanced {
+        let by_energy = matches!(
+            (wall.adhesion, &scheme.surface_tension),
+            (
+                Adhesion::ContactAngle(_),
+                Some(SurfaceTension::TotalVariation(_))
+            )
+        );
+        if wall.adhesion != Adhesion::None && model.is_none() && !by_energy {
             return complain(format!(
-                "wall {index} has adhesion, which pairwise forces of surface tension and the balanced model know"
+                "wall {index} has adhesion, which only pairwise forces and, as a contact angle, total variation know"
             ));
         }
         if matches!(wall.adhesion, Adhesion::Coefficient(_))

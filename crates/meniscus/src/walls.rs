@@ -1,13 +1,10 @@
 //! The walls of a simulation on their way: where their particles are, what these take from
 //! the fluid before each force, and what the fluid exerts on them.
 
-use std::f64::consts::FRAC_PI_2;
-
 use crate::fluid::Fluid;
 use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::equation_of_state::Tait;
-use crate::physics::surface_tension::balanced::Wetting;
 use crate::physics::wall::{
     Adhesion, Bearing, Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled,
 };
@@ -248,26 +245,6 @@ impl<const D: usize> Walls<D> {
         rows.any(|row| self.wall_of(particles, row).is_none() || self.sums[row].weight > 0.0)
     }
 
-    /// Finds volume and contact angle of the wall particles: a right angle where none is given.
-    pub(crate) fn find_wetting(&self, particles: &Particles<D>, found: &mut Wetting) {
-        if self.is_empty() {
-            return;
-        }
-        for column in [&mut found.volume, &mut found.angle] {
-            column.clear();
-            column.resize(particles.len(), 0.0);
-        }
-        for &row in &self.rows {
-            let row = row as usize;
-            let wall = self.wall_of(particles, row).map(|wall| &self.walls[wall]);
-            found.volume[row] = particles.volume(row);
-            found.angle[row] = match wall.map(|wall| wall.adhesion) {
-                Some(Adhesion::ContactAngle(angle)) => angle,
-                _ => FRAC_PI_2,
-            };
-        }
-    }
-
     /// Makes walls that `which` holds for invisible to sums with the volume of neighbours.
     pub(crate) fn hide(&self, particles: &mut Particles<D>, which: impl Fn(&Wall) -> bool) {
         for &row in &self.rows {
@@ -276,6 +253,15 @@ impl<const D: usize> Walls<D> {
                 particles.mass[row] = 0.0;
             }
         }
+    }
+
+    /// The cosine of the contact angle of a row's wall; none where it is no wall.
+    pub(crate) fn wetting(&self, particles: &Particles<D>, row: usize) -> Option<f64> {
+        let wall = self.wall_of(particles, row)?;
+        Some(match self.walls[wall].adhesion {
+            Adhesion::ContactAngle(angle) => angle.cos(),
+            Adhesion::None | Adhesion::Coefficient(_) => 0.0,
+        })
     }
 
     /// Undoes [`hide`](Self::hide).

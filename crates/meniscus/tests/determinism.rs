@@ -8,6 +8,7 @@ use meniscus::pairs::Instructions;
 use meniscus::physics::surface_tension::balanced::Balanced;
 use meniscus::physics::surface_tension::pairwise::Pairwise;
 use meniscus::physics::surface_tension::pairwise::akinci::{Akinci, Curvature};
+use meniscus::physics::surface_tension::total_variation::TotalVariation;
 use meniscus::physics::wall::layout::Layers;
 use meniscus::rates::{Dimension, Space};
 use meniscus::scheme::{AdaptiveSmoothing, Adhesion, DensityForm, SurfaceTension, Wall};
@@ -96,8 +97,14 @@ fn a_resume_does_not_change_a_bit() {
     same_after_resume(setup);
 }
 
-/// A plate under the drop.
-fn add_plate(setup: &mut Setup<2>, adhesion: Adhesion) {
+/// A drop of pairwise forces upon a plate that attracts it.
+#[test]
+fn pairwise_forces_keep_the_promise_too() {
+    let mut setup = free_drop::<2>(0.12, 0.1);
+    setup.scheme.surface_tension = Some(SurfaceTension::Pairwise(Pairwise::Akinci(Akinci {
+        curvature: Curvature::Consistent,
+        ..Akinci::default()
+    })));
     let plate = Layers::new(0.12, 0.48, 1000).plane(Vector([0.0, -1.1]), Vector([0.0, 1.0]), 3.0);
     let plate = plate.expect("it fits");
     setup
@@ -110,33 +117,27 @@ fn add_plate(setup: &mut Setup<2>, adhesion: Adhesion) {
             body: 1,
         }));
     setup.scheme.walls = vec![Wall {
-        adhesion,
+        adhesion: Adhesion::Coefficient(20.0),
         ..Wall::new(1)
     }];
-}
-
-/// A drop of pairwise forces upon a plate that attracts it.
-#[test]
-fn pairwise_forces_keep_the_promise_too() {
-    let mut setup = free_drop::<2>(0.12, 0.1);
-    setup.scheme.surface_tension = Some(SurfaceTension::Pairwise(Pairwise::Akinci(Akinci {
-        curvature: Curvature::Consistent,
-        ..Akinci::default()
-    })));
-    add_plate(&mut setup, Adhesion::Coefficient(20.0));
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }
 
-/// Its curvature is state. A drop, and one that wets a plate.
+/// Its curvature is state.
 #[test]
 fn balanced_surface_tension_keeps_the_promise_too() {
     let mut setup = free_drop::<2>(0.12, 0.1);
     setup.scheme.density = DensityForm::Corrected;
     setup.scheme.surface_tension = Some(SurfaceTension::Balanced(Balanced));
     same_on_threads(setup.clone());
-    same_after_resume(setup.clone());
-    add_plate(&mut setup, Adhesion::ContactAngle(1.2));
+    same_after_resume(setup);
+}
+
+#[test]
+fn total_variation_keeps_the_promise_too() {
+    let mut setup = free_drop::<3>(0.3, 0.1);
+    setup.scheme.surface_tension = Some(SurfaceTension::TotalVariation(TotalVariation));
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }

@@ -4,6 +4,7 @@ use meniscus::physics::surface_tension::balanced::Balanced;
 use meniscus::physics::surface_tension::continuum::{Calibration, Continuum, Correction, Form};
 use meniscus::physics::surface_tension::curvature::Weighting;
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
+use meniscus::physics::surface_tension::total_variation::TotalVariation;
 use meniscus::scheme::SurfaceTension;
 
 use super::pairwise;
@@ -49,6 +50,11 @@ pub(super) const SURFACE_TENSION: &[Choice<Option<SurfaceTension>>] = &[
         "lennard-jones",
         "Forces between pairs of particles: of the Lennard-Jones potential.",
         |node| Some(SurfaceTension::Pairwise(pairwise::lennard_jones(node))),
+    ),
+    Choice::new(
+        "total-variation",
+        "The derivative of an energy, the total variation of a smoothed colour, on a mesh.",
+        |node| node.table(|_| Some(SurfaceTension::TotalVariation(TotalVariation))),
     ),
     Choice::new("none", "No surface tension.", |node| node.table(|_| None)),
 ];

@@ -14,9 +14,11 @@ const fn model(name: &'static str, wets: bool) -> Model {
 }
 
 /// All models of a free surface.
-pub const MODELS: [Model; 7] = [
+pub const MODELS: [Model; 9] = [
+    model("balanced", false),
     model("jancik-hyhlik", false),
     model("continuum", false),
+    model("total-variation", true),
     model("akinci", true),
     model("cosine", true),
     model("gaussian-pair", true),

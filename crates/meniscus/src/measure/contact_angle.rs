@@ -17,6 +17,9 @@ const LAYER: f64 = 0.75;
 const LOCAL: f64 = 10.0;
 const LOCAL_HEIGHT: f64 = 0.75;
 const LOCAL_RADIUS: f64 = 0.75;
+/// How far, in spacings, a profile may meet the wall from the outermost particle beside it. Farther
+/// off, a ragged edge has led the fit astray.
+const ASTRAY: f64 = 8.0;
 
 /// A drop on a wall as an experimenter sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,9 +28,10 @@ pub struct DropOnWall {
     /// the whole surface: right for drops that gravity does not flatten.
     pub circle: Estimate,
     /// Contact angle, rad, by the profile near the contact line alone: right for flattened
-    /// drops too.
+    /// drops too. NaN where its edge is too ragged to tell.
     pub tangent: Estimate,
-    /// Radius of the wetted area, m, by the same profile; half of its width in 2D.
+    /// Radius of the wetted area, m, by the same profile, or a ragged one's outermost particle beside the
+    /// wall; half of its width in 2D.
     pub wetted_radius: Estimate,
     /// Height of the drop above the wall, m.
     pub height: f64,
@@ -110,7 +114,20 @@ impl DropOnWall {
                     || (*y < LOCAL_HEIGHT * height && distance < LOCAL_RADIUS * outermost[0])
             };
             let near: Vec<_> = profile.iter().filter(near).copied().collect();
-            Foot::fit(&near, spacing)
+            let found = Foot::fit(&near, spacing)?;
+            if (found.place.value - outermost[0]).abs() < ASTRAY * spacing {
+                return Some(found);
+            }
+            Some(Foot {
+                angle: Estimate {
+                    value: f64::NAN,
+                    half_width: f64::NAN,
+                },
+                place: Estimate {
+                    value: outermost[0] + DEPTH * spacing,
+                    half_width: spacing,
+                },
+            })
         };
         let feet: Vec<Foot> = (profiles.iter().zip(outermost))
             .map(foot)
@@ -232,6 +249,25 @@ mod tests {
             "{found:?}"
         );
         assert!((found.wetted_radius.value - 35.0).abs() < 1.0, "{found:?}");
+    }
+
+    #[test]
+    fn a_ragged_edge_leads_no_radius_astray() {
+        // Half a disc, and a row of single particles beside its foot.
+        let mut x = cut(12.0, 0.0, 0.0, |x: &Vector<f64, 2>| {
+            x[1] > 0.0 && x.norm() < 10.0
+        });
+        for k in 0..6 {
+            let away = 10.5 + 1.1 * f64::from(k);
+            x.push(Vector([away, 0.5 + 1.2 * f64::from(k % 2)]));
+            x.push(Vector([-away, 0.5 + 1.2 * f64::from(k % 3)]));
+        }
+        let wall = Plane::new(Vector::ZERO, Vector([0.0, 1.0])).unwrap();
+        let found = DropOnWall::measure(&x, &vec![1.0; x.len()], 1.0, &wall).unwrap();
+        assert!(
+            (9.0..18.0).contains(&found.wetted_radius.value),
+            "{found:?}"
+        );
     }
 
     #[test]

@@ -193,10 +193,7 @@ impl<const D: usize> Columns<D> {
                         square = square + gap * gap;
                     }
                     let there = u8::MAX >> WIDTH.saturating_sub(rows.end - row);
-                    let both = match reach.same() {
-                        Some(_) => Lane::splat(simd, both),
-                        None => reach.lane(simd, row) + own,
-                    };
+                    let both = Lane::load_slice(simd, reach.rows_from(row)) + own;
                     let near = square.not_above(both.square());
                     entries.append(offset + row as u32, near & there);
                     row += WIDTH;

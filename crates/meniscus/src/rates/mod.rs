@@ -29,7 +29,6 @@ use crate::physics::momentum::{
     Mixture, Momentum, OneFluid, OverDensityProduct, OverDensitySquared, PressureForm,
 };
 use crate::physics::surface_tension::SurfaceTension;
-use crate::physics::surface_tension::balanced::Wetting;
 use crate::physics::surface_tension::pairwise::Pull;
 use crate::physics::surface_tension::pairwise::estimate::Resolution;
 use crate::physics::surface_tension::surface::Surface;
@@ -55,11 +54,8 @@ pub(crate) struct Rates<const D: usize> {
     pull: Option<Pull<D>>,
     /// Rows of walls whose pressure balances these.
     bearing: Vec<usize>,
-    /// Bodies of liquid, where surface tension balances them, and walls that they wet.
+    /// Bodies without a wall, where surface tension balances them.
     free: surface::FreeBodies,
-    wetting: Wetting,
-    /// Mean of the particles at the start, m.
-    spacing: f64,
     viscous_stress: ViscousStress<D>,
     diffusing: Diffusing<D>,
     pub(crate) van_der_waals: Option<Cohesive<D>>,
@@ -116,8 +112,6 @@ impl<const D: usize> Rates<D> {
             pull,
             bearing: Vec::new(),
             free: surface::FreeBodies::default(),
-            wetting: Wetting::default(),
-            spacing,
             viscous_stress: ViscousStress::default(),
             diffusing: Diffusing::default(),
             van_der_waals,
@@ -179,7 +173,6 @@ impl<const D: usize> Rates<D> {
             self.pull_pairs(particles, &mut acceleration);
             self.walls.bear(particles, &mut acceleration);
         } else if self.scheme.surface_tension.is_some() {
-            self.walls.find_wetting(particles, &mut self.wetting);
             self.walls.hide(particles, |_| true);
             self.pull_surface(particles, &mut acceleration);
             self.walls.show(particles);
@@ -262,7 +255,9 @@ fn mean_spacing<const D: usize>(fluids: &[Fluid], particles: &Particles<D>) -> f
     let volume: f64 = (particles.mass.iter().zip(&particles.fluid))
         .map(|(mass, fluid)| mass / fluids[*fluid as usize].density)
         .sum();
-    (volume / particles.len().max(1) as f64).powf(1.0 / D as f64)
+    // Walls that are hidden have no mass.
+    let count = particles.mass.iter().filter(|mass| **mass > 0.0).count();
+    (volume / count.max(1) as f64).powf(1.0 / D as f64)
 }
 
 fn is_viscous(fluids: &[Fluid]) -> bool {

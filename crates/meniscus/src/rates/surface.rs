@@ -4,8 +4,10 @@ use super::{Rates, mean_spacing};
 use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::surface_tension::SurfaceTension;
-use crate::physics::surface_tension::balanced::{self, Bodies};
+use crate::physics::surface_tension::balanced;
+use crate::physics::surface_tension::bodies::Bodies;
 use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
+use crate::physics::surface_tension::total_variation;
 use crate::scheme::Bearing;
 use crate::vector::Vector;
 use crate::walls::Walls;
@@ -13,6 +15,9 @@ use crate::walls::Walls;
 /// Which body each row belongs to, as of the last lists.
 #[derive(Debug, Default)]
 pub(super) struct FreeBodies {
+    /// Of all rows.
+    groups: Vec<u32>,
+    /// Of those that no wall holds; for the others beyond `count`.
     of_row: Vec<u32>,
     count: usize,
     built: Option<u64>,
@@ -31,8 +36,17 @@ impl FreeBodies {
             return;
         }
         self.built = Some(pairs.builds());
-        let is_liquid = |row: usize| !walls.is_wall(particles.body[row]);
-        (self.of_row, self.count) = pairs.bodies(support, is_liquid);
+        (self.groups, self.count) = pairs.bodies(support);
+        self.of_row.clone_from(&self.groups);
+        let mut held = vec![false; self.count];
+        for (body, &of) in particles.body.iter().zip(&self.of_row) {
+            held[of as usize] |= walls.is_wall(*body);
+        }
+        for of in &mut self.of_row {
+            if held[*of as usize] {
+                *of = u32::MAX;
+            }
+        }
     }
 }
 
@@ -84,12 +98,12 @@ impl<const D: usize> Rates<D> {
                     surface_tension: self.fluids[0].surface_tension,
                     kernel: self.scheme.kernel,
                     smoothing_length,
-                    spacing: self.spacing,
+                    spacing: mean_spacing(&self.fluids, particles),
                     bodies: Bodies {
                         of_row: &self.free.of_row,
                         count: self.free.count,
+                        domain: self.pairs.domain(),
                     },
-                    wetting: &self.wetting,
                 };
                 model.accelerate(
                     &mut self.pairs,
@@ -98,6 +112,29 @@ impl<const D: usize> Rates<D> {
                     &mut self.surface,
                     acceleration,
                 );
+            }
+            Some(SurfaceTension::TotalVariation(model)) => {
+                let spacing = mean_spacing(&self.fluids, particles);
+                let reach = total_variation::REACH * spacing;
+                self.free.find(&self.pairs, reach, particles, &self.walls);
+                let (walls, count, domain) = (&self.walls, self.free.count, self.pairs.domain());
+                let surroundings = total_variation::Surroundings {
+                    surface_tension: self.fluids[0].surface_tension,
+                    density: self.fluids[0].density,
+                    spacing,
+                    groups: Bodies {
+                        of_row: &self.free.groups,
+                        count,
+                        domain,
+                    },
+                    free: Bodies {
+                        of_row: &self.free.of_row,
+                        count,
+                        domain,
+                    },
+                    wall: &|row| walls.wetting(particles, row),
+                };
+                model.accelerate(particles, &surroundings, &mut self.surface, acceleration);
             }
             Some(SurfaceTension::Pairwise(_)) | None => {}
         }

@@ -5,7 +5,6 @@ mod common;
 
 mod drops;
 mod momentum;
-mod wetting;
 
 use common::{fluid, noise};
 use meniscus::physics::surface_tension::balanced::Balanced;

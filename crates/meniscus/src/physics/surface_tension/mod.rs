@@ -4,14 +4,17 @@
 //! - [`jancik_hyhlik`]: continuum surface force of a free surface
 //! - [`continuum`]: continuum surface force of a free surface or between two fluids
 //! - [`pairwise`]: forces between pairs of particles, that of walls among them
+//! - [`total_variation`]: the derivative of an energy on a mesh, at walls too
 //!
 //! What they share:
 //!
+//! - [`bodies`]: free bodies, whose forces add up to nothing
 //! - [`gradient`], [`curvature`]: normals and curvature, plain and corrected
 //! - [`matrix`]: small square matrices
 //! - [`surface`]: what a model finds on the way
 
 pub mod balanced;
+pub mod bodies;
 pub mod continuum;
 pub mod curvature;
 pub mod gradient;
@@ -19,11 +22,13 @@ pub mod jancik_hyhlik;
 pub mod matrix;
 pub mod pairwise;
 pub mod surface;
+pub mod total_variation;
 
 use balanced::Balanced;
 use continuum::Continuum;
 use jancik_hyhlik::JancikHyhlik;
 use pairwise::Pairwise;
+use total_variation::TotalVariation;
 
 /// A model of surface tension.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,6 +41,8 @@ pub enum SurfaceTension {
     Continuum(Continuum),
     /// Forces between pairs of particles.
     Pairwise(Pairwise),
+    /// Total variation of a smoothed colour, on a mesh.
+    TotalVariation(TotalVariation),
 }
 
 impl Default for SurfaceTension {

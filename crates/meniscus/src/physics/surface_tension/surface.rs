@@ -1,6 +1,6 @@
 //! What a model of the surface finds on the way.
 
-use super::{balanced, continuum, jancik_hyhlik};
+use super::{balanced, continuum, jancik_hyhlik, total_variation};
 use crate::particles::Particles;
 use crate::vector::Vector;
 
@@ -26,6 +26,7 @@ pub struct Surface<const D: usize> {
     pub(super) balanced: balanced::Scratch<D>,
     pub(super) jancik_hyhlik: jancik_hyhlik::Scratch<D>,
     pub(super) continuum: continuum::Scratch<D>,
+    pub(super) total_variation: total_variation::Scratch<D>,
 }
 
 impl<const D: usize> Surface<D> {

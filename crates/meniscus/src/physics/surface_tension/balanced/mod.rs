@@ -25,36 +25,26 @@
 //! pressure to bring it back: it is a bump too small for kappa. To its own
 //! curvature -2 d / dx^2 is added. Neighbours nearer than 0.8 dx push each other.
 //!
-//! Forces and moments of each free body are balanced, and of one on a plane wall the
-//! forces along it ([`Bodies`]). What walls change is in [`Wetting`].
+//! Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
 //! - `half_space`: the kernel's integrals under a plane surface
 //! - `coverage`: what surrounds a particle
 //! - `layer`: which particles make the surface
 //! - `regression`: its curvature
 //! - `extension`: curvature off the surface
-//! - `wetting`, `wedge`: walls, and the contact angle
-//! - `momentum`: forces on a body that add up to nothing
 
 mod coverage;
 mod extension;
 mod half_space;
 mod layer;
-mod momentum;
 mod regression;
-mod wedge;
-mod wetting;
 
 pub use coverage::{Coverage, Covered, Facing, Inward};
 pub use extension::{Extended, Extension, Mean};
 pub use half_space::HalfSpace;
-pub use momentum::Bodies;
 pub use regression::{Moments, Point, Regression};
-pub use wedge::Wedge;
-pub use wetting::{
-    Imaged, Solid, WallCoverage, WallCovered, WettedMean, WettedRegression, Wetting,
-};
 
+use super::bodies::{Bodies, balance};
 use super::gradient::LEAST_MATRIX;
 use super::surface::Surface;
 use crate::kernel::Kernel;
@@ -80,7 +70,7 @@ const REST: f64 = 0.8;
 
 /// What the model acts in.
 #[derive(Clone, Copy, Debug)]
-pub struct Surroundings<'a> {
+pub struct Surroundings<'a, const D: usize> {
     /// sigma, N/m
     pub surface_tension: f64,
     /// Smoothing kernel.
@@ -90,17 +80,13 @@ pub struct Surroundings<'a> {
     /// dx, m
     pub spacing: f64,
     /// Free bodies.
-    pub bodies: Bodies<'a>,
-    /// Walls, whose particles have no mass meanwhile.
-    pub wetting: &'a Wetting,
+    pub bodies: Bodies<'a, D>,
 }
 
 /// Columns that the model needs on its way.
 #[derive(Debug, Default)]
 pub(super) struct Scratch<const D: usize> {
     tables: Option<(HalfSpace, Thresholds)>,
-    /// One for each contact angle.
-    wedges: Vec<Wedge>,
     layer: Layer<D>,
     moments: Vec<Moments<f64, D>>,
     weight: Vec<f64>,
@@ -118,13 +104,11 @@ impl<const D: usize> Scratch<D> {
         &mut self,
         sweep: &mut impl Sweep<D>,
         particles: &Particles<D>,
-        surroundings: Surroundings<'_>,
+        spacing: f64,
         curvature: &mut [f64],
     ) {
-        let spacing = surroundings.spacing;
         let Self {
             tables: Some((half_space, thresholds)),
-            wedges,
             layer,
             moments,
             weight,
@@ -137,25 +121,14 @@ impl<const D: usize> Scratch<D> {
         else {
             return;
         };
-        layer.locate(particles, half_space, thresholds, wedges, curvature);
+        layer.locate(particles, half_space, thresholds, curvature);
         let term = Regression {
             points: &layer.points,
         };
         let in_layer = |rows: std::ops::Range<usize>| {
             (layer.points[rows].iter()).any(|point| point.weight > 0.0)
         };
-        let h = surroundings.smoothing_length;
-        let wetted = WettedRegression {
-            points: &layer.points,
-            images: &layer.images,
-            kernel: (1.0 / h, surroundings.kernel.value(0.0, h, D)),
-        };
-        let walled = !layer.images.is_empty();
-        if walled {
-            sweep.sweep(&wetted, particles, in_layer, moments);
-        } else {
-            sweep.sweep(&term, particles, in_layer, moments);
-        }
+        sweep.sweep(&term, particles, in_layer, moments);
         let sharpest = (D as f64 - 1.0) / spacing;
         weight.clear();
         weight.extend(layer.points.iter().map(|point| point.weight));
@@ -168,28 +141,18 @@ impl<const D: usize> Scratch<D> {
             }
         }));
         let shallow = |rows: std::ops::Range<usize>| layer.shallow[rows].contains(&true);
-        let mut mean = |values: &[f64], means: &mut Vec<(f64, f64)>| {
-            if walled {
-                let surface = wetted;
-                let term = WettedMean { surface, values };
-                sweep.sweep(&term, particles, shallow, means);
-            } else {
-                sweep.sweep(&Mean { weight, values }, particles, shallow, means);
-            }
-        };
-        mean(rough, means);
+        let values = rough;
+        sweep.sweep(&Mean { weight, values }, particles, shallow, means);
         held.clear();
         held.extend((0..particles.len()).map(|i| layer.shallow[i] && means[i].0 > 0.0));
+        let mean = |(sum, held): (&(f64, f64), &bool)| if *held { sum.1 / sum.0 } else { 0.0 };
         smooth.clear();
-        smooth.extend((means.iter().zip(&*held)).map(
-            |(sum, &held)| {
-                if held { sum.1 / sum.0 } else { 0.0 }
-            },
-        ));
-        mean(smooth, means);
+        smooth.extend(means.iter().zip(&*held).map(mean));
+        let values = smooth;
+        sweep.sweep(&Mean { weight, values }, particles, shallow, means);
         for (i, kappa) in curvature.iter_mut().enumerate() {
             if held[i] {
-                *kappa = smooth[i] + SHARPENING * (smooth[i] - means[i].1 / means[i].0);
+                *kappa = values[i] + SHARPENING * (values[i] - means[i].1 / means[i].0);
             }
         }
     }
@@ -213,7 +176,7 @@ impl<const D: usize> Scratch<D> {
             if self.held[i] {
                 curvature[i]
             } else {
-                self.extended[i].value / self.layer.covered[i].filled.max(f64::MIN_POSITIVE)
+                self.extended[i].value / self.layer.filled[i]
             }
         }));
     }
@@ -226,7 +189,7 @@ impl Balanced {
         &self,
         sweep: &mut impl Sweep<D>,
         particles: &mut Particles<D>,
-        surroundings: Surroundings<'_>,
+        surroundings: Surroundings<'_, D>,
         surface: &mut Surface<D>,
         acceleration: &mut [Vector<f64, D>],
     ) {
@@ -239,27 +202,19 @@ impl Balanced {
         let begins = carried.is_empty();
         carried.resize(particles.len(), 0.0);
         let scratch = &mut surface.balanced;
-        let tables = scratch.tables.get_or_insert_with(|| {
+        let (_, thresholds) = scratch.tables.get_or_insert_with(|| {
             let h = surroundings.smoothing_length;
             let half_space = HalfSpace::new(surroundings.kernel, h, D);
             let thresholds = Thresholds::new(&half_space, spacing);
             (half_space, thresholds)
         });
         let bump = BUMP / (spacing * spacing);
-        let wetting = surroundings.wetting;
-        for (&angle, &volume) in wetting.angle.iter().zip(&wetting.volume) {
-            if volume > 0.0 && scratch.wedges.iter().all(|wedge| wedge.angle != angle) {
-                let h = surroundings.smoothing_length;
-                (scratch.wedges).push(Wedge::new(surroundings.kernel, h, D, angle));
-            }
-        }
-        let tables = (&tables.0, &tables.1);
-        (scratch.layer).look(sweep, particles, tables, wetting, &scratch.wedges);
+        scratch.layer.look(sweep, particles, thresholds);
         let curvature = &mut surface.curvature;
         curvature.clone_from(&carried);
         let rest = REST * spacing;
         for _ in 0..if begins { ROUNDS } else { 1 } {
-            scratch.find_curvature(sweep, particles, surroundings, curvature);
+            scratch.find_curvature(sweep, particles, spacing, curvature);
         }
         if begins {
             for _ in 0..SPREADING {
@@ -288,9 +243,9 @@ impl Balanced {
         surface.force.clear();
         (surface.force).extend((0..particles.len()).map(|i| {
             let (normal, sum) = (layer.covered[i].normal, &extended[i]);
-            let kappa = curvature[i];
-            let outside = (bump * half_space.height(layer.filled[i], kappa)).min(sharpest);
-            let mut force = normal * (2.0 * kappa) + layer.own_normal(i) * (2.0 * outside);
+            let mut kappa = curvature[i];
+            kappa += (bump * half_space.height(layer.filled[i], kappa)).min(sharpest);
+            let mut force = normal * (2.0 * kappa);
             if layer.holds(i) {
                 surface.active += 1;
                 let inverse = layer.facing[i].inward.matrix.inverse(LEAST_MATRIX);
@@ -300,12 +255,7 @@ impl Balanced {
             }
             force * surface_tension + sum.push * push
         }));
-        surface.net_force = momentum::balance(
-            surroundings.bodies,
-            particles,
-            |i| layer.touches(i).then(|| layer.walls[i].normal),
-            &mut surface.force,
-        );
+        surface.net_force = balance(surroundings.bodies, particles, &mut surface.force);
         surface.add_to(&particles.density, acceleration);
     }
 }
