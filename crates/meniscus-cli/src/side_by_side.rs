@@ -57,7 +57,8 @@ impl SideBySide {
             let frame = reader.read(last)?;
             let field = frame.fields.iter().find(|field| field.name == self.field);
             pictures = pictures.with(Snapshot {
-                time: frame.time,
+                // Steps end a little after what was asked for.
+                time: (frame.time * 10.0).round() / 10.0,
                 positions: frame.positions.clone(),
                 diameter: panel.spacing,
                 values: field.map_or_else(Vec::new, |field| field.values.clone()),

@@ -179,8 +179,12 @@ fn swings(case: &Case, asked: &Deformation, series: &Series, findings: &mut Find
             aspect,
         );
     }
-    if let (Some([before, _, last]), Some(state)) = (turns.last_chunk(), at_rest(case, series)) {
-        let period = since[*last] - since[*before];
+    let period = match turns[..] {
+        [.., before, _, last] => Some(since[last] - since[before]),
+        [before, last] => Some(2.0 * (since[last] - since[before])),
+        _ => None,
+    };
+    if let (Some(period), Some(state)) = (period, at_rest(case, series)) {
         let name = "period of the last whole swing";
         let theory = Some(("Rayleigh, mechanical surface tension", state.period));
         findings.add("swing-period", name, "s", theory, exact(period));
@@ -195,8 +199,11 @@ fn swings(case: &Case, asked: &Deformation, series: &Series, findings: &mut Find
         let name = "surface tension by that period";
         findings.add("sigma-swing", name, "N/m", None, exact(sigma));
     }
+    // Over one whole swing, the first: small ones calm down faster, as particles set.
     let rate = match turns[..] {
-        [first, .., last] => (swing[first] / swing[last]).abs().ln() / (since[last] - since[first]),
+        [first, _, last, ..] | [first, last] => {
+            (swing[first] / swing[last]).abs().ln() / (since[last] - since[first])
+        }
         _ => relaxation(&since, &swing),
     };
     if rate.is_finite() {
