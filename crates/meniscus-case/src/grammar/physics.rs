@@ -37,75 +37,8 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
     let mut adaptive_smoothing_span = 0..0;
     let own = node.context.van_der_waals.get();
     let or_own = |usual: &'static str, of_own: &'static str| if own { of_own } else { usual };
-    node.table(|fields| Physics {
-        density: fields.or(
-            "density",
-            or_own("'continuity'", "'summation'"),
-            "How density is found.",
-            |node| {
-                let names = [
-                    ("continuity", DensityForm::Continuity),
-                    ("number", DensityForm::Number),
-                    ("corrected", DensityForm::Corrected),
-                    ("summation", DensityForm::Summation),
-                ];
-                node.name_of("density form", &names)
-            },
-        ),
-        adaptive_smoothing: fields.optional(
-            "adaptive_smoothing",
-            "Smoothing lengths that follow density, by adaptive kernel estimation.",
-            |node| {
-                adaptive_smoothing_span = node.span();
-                adaptive_smoothing(node)
-            },
-        ),
-        adaptive_smoothing_span: adaptive_smoothing_span.clone(),
-        density_diffusion: fields.or(
-            "density_diffusion",
-            "'none'",
-            "Diffusion of density, against noise of pressure.",
-            |node| node.choice("density diffusion", DENSITY_DIFFUSION),
-        ),
-        pressure: fields.or(
-            "pressure",
-            "'over-density-squared'",
-            "Form of the pressure gradient.",
-            |node| {
-                let names = [
-                    ("over-density-squared", PressureForm::OverDensitySquared),
-                    ("over-density-product", PressureForm::OverDensityProduct),
-                    ("hu-adams", PressureForm::HuAdams),
-                ];
-                node.name_of("pressure form", &names)
-            },
-        ),
-        artificial_viscosity: fields.or(
-            "artificial_viscosity",
-            or_own("0.1", "0.0"),
-            "alpha of the artificial viscosity.",
-            |node| node.number(Sign::NotNegative),
-        ),
-        viscosity: fields.or(
-            "viscosity",
-            or_own("'monaghan-cleary'", "'stress'"),
-            "Form of the viscous force, where a fluid has viscosity.",
-            |node| {
-                let names = [
-                    ("monaghan-cleary", ViscosityForm::MonaghanCleary),
-                    ("morris", ViscosityForm::Morris),
-                    ("stress", ViscosityForm::Stress),
-                ];
-                node.name_of("viscosity form", &names)
-            },
-        ),
-        velocity_smoothing: fields.or(
-            "velocity_smoothing",
-            "0.0",
-            "epsilon of XSPH: particles move with their surroundings.",
-            velocity_smoothing,
-        ),
-        surface_tension: fields.or(
+    node.table(|fields| {
+        let surface_tension = fields.or(
             "surface_tension",
             or_own("'jancik-hyhlik'", "'none'"),
             "Model of surface tension, where a fluid has any.",
@@ -113,43 +46,118 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
                 surface_tension_span = node.span();
                 node.choice("surface tension model", SURFACE_TENSION)
             },
-        ),
-        surface_tension_span: surface_tension_span.clone(),
-        body_force: fields.optional(
-            "body_force",
-            "Acceleration of gravity or of the frame: a vector, or one that changes with time.",
-            |node| {
-                node.either(
-                    node.is_list(),
-                    |node| BodyForce::Constant(node.vector(&units::ACCELERATION, Sign::Any)),
-                    |node| node.choice("body force", BODY_FORCE),
-                )
-            },
-        ),
-        damping: fields.or(
-            "damping",
-            "'0 /s'",
-            "Rate of a drag that brings a flow to rest.",
-            |node| node.quantity(&units::RATE, Sign::NotNegative),
-        ),
-        integrator: fields.or(
-            "integrator",
-            "'symplectic'",
-            "How the flow is marched in time.",
-            |node| node.name_of("integrator", &[("symplectic", Integrator::Symplectic)]),
-        ),
-        time_step: fields.or(
-            "time_step",
-            "'adaptive'",
-            "\"adaptive\", or a fixed time step.",
-            |node| {
-                node.either(
-                    node.is_quantity(),
-                    |node| TimeStep::Fixed(node.quantity(&units::TIME, Sign::Positive)),
-                    |node| node.choice("time step", TIME_STEP),
-                )
-            },
-        ),
+        );
+        // What a model needs to be what it promises.
+        let balanced = matches!(surface_tension, Some(SurfaceTension::Balanced(_)));
+        let or_balanced = |usual: &'static str, balanced_own: &'static str| {
+            if balanced { balanced_own } else { usual }
+        };
+        Physics {
+            density: fields.or(
+                "density",
+                or_balanced(or_own("'continuity'", "'summation'"), "'corrected'"),
+                "How density is found.",
+                |node| {
+                    let names = [
+                        ("continuity", DensityForm::Continuity),
+                        ("number", DensityForm::Number),
+                        ("corrected", DensityForm::Corrected),
+                        ("summation", DensityForm::Summation),
+                    ];
+                    node.name_of("density form", &names)
+                },
+            ),
+            adaptive_smoothing: fields.optional(
+                "adaptive_smoothing",
+                "Smoothing lengths that follow density, by adaptive kernel estimation.",
+                |node| {
+                    adaptive_smoothing_span = node.span();
+                    adaptive_smoothing(node)
+                },
+            ),
+            adaptive_smoothing_span: adaptive_smoothing_span.clone(),
+            density_diffusion: fields.or(
+                "density_diffusion",
+                "'none'",
+                "Diffusion of density, against noise of pressure.",
+                |node| node.choice("density diffusion", DENSITY_DIFFUSION),
+            ),
+            pressure: fields.or(
+                "pressure",
+                or_balanced("'over-density-squared'", "'over-density-product'"),
+                "Form of the pressure gradient.",
+                |node| {
+                    let names = [
+                        ("over-density-squared", PressureForm::OverDensitySquared),
+                        ("over-density-product", PressureForm::OverDensityProduct),
+                        ("hu-adams", PressureForm::HuAdams),
+                    ];
+                    node.name_of("pressure form", &names)
+                },
+            ),
+            artificial_viscosity: fields.or(
+                "artificial_viscosity",
+                or_own("0.1", "0.0"),
+                "alpha of the artificial viscosity.",
+                |node| node.number(Sign::NotNegative),
+            ),
+            viscosity: fields.or(
+                "viscosity",
+                or_balanced(or_own("'monaghan-cleary'", "'stress'"), "'stress'"),
+                "Form of the viscous force, where a fluid has viscosity.",
+                |node| {
+                    let names = [
+                        ("monaghan-cleary", ViscosityForm::MonaghanCleary),
+                        ("morris", ViscosityForm::Morris),
+                        ("stress", ViscosityForm::Stress),
+                    ];
+                    node.name_of("viscosity form", &names)
+                },
+            ),
+            velocity_smoothing: fields.or(
+                "velocity_smoothing",
+                "0.0",
+                "epsilon of XSPH: particles move with their surroundings.",
+                velocity_smoothing,
+            ),
+            surface_tension,
+            surface_tension_span: surface_tension_span.clone(),
+            body_force: fields.optional(
+                "body_force",
+                "Acceleration of gravity or of the frame: a vector, or one that changes with time.",
+                |node| {
+                    node.either(
+                        node.is_list(),
+                        |node| BodyForce::Constant(node.vector(&units::ACCELERATION, Sign::Any)),
+                        |node| node.choice("body force", BODY_FORCE),
+                    )
+                },
+            ),
+            damping: fields.or(
+                "damping",
+                "'0 /s'",
+                "Rate of a drag that brings a flow to rest.",
+                |node| node.quantity(&units::RATE, Sign::NotNegative),
+            ),
+            integrator: fields.or(
+                "integrator",
+                "'symplectic'",
+                "How the flow is marched in time.",
+                |node| node.name_of("integrator", &[("symplectic", Integrator::Symplectic)]),
+            ),
+            time_step: fields.or(
+                "time_step",
+                "'adaptive'",
+                "\"adaptive\", or a fixed time step.",
+                |node| {
+                    node.either(
+                        node.is_quantity(),
+                        |node| TimeStep::Fixed(node.quantity(&units::TIME, Sign::Positive)),
+                        |node| node.choice("time step", TIME_STEP),
+                    )
+                },
+            ),
+        }
     })
 }
 
