@@ -8,6 +8,7 @@ use serde::Deserialize;
 
 use crate::batch::Job;
 use crate::failure::Failure;
+use crate::table::capital;
 
 /// A picture that `reproduction.toml` asks for.
 #[derive(Deserialize)]
@@ -47,8 +48,12 @@ impl SideBySide {
     /// # Errors
     /// If a case left no frames, or a file cannot be written.
     pub fn draw(&self, panels: &[Panel], root: &Path) -> Result<PathBuf, Failure> {
-        let label = self.field[..1].to_uppercase() + &self.field[1..];
-        let mut pictures = ParticlePictures::new(&label, &self.unit);
+        let titles = self
+            .cases
+            .iter()
+            .map(|case| case.trim_end_matches(".toml").to_owned());
+        let mut pictures =
+            ParticlePictures::new(&capital(&self.field), &self.unit).titled(titles.collect());
         for case in &self.cases {
             let missing = || Failure::new(format!("picture {}: {case} left no frame", self.name));
             let panel = (panels.iter().find(|panel| &panel.case == case)).ok_or_else(missing)?;
@@ -57,8 +62,7 @@ impl SideBySide {
             let frame = reader.read(last)?;
             let field = frame.fields.iter().find(|field| field.name == self.field);
             pictures = pictures.with(Snapshot {
-                // Steps end a little after what was asked for.
-                time: (frame.time * 10.0).round() / 10.0,
+                time: frame.time,
                 positions: frame.positions.clone(),
                 diameter: panel.spacing,
                 values: field.map_or_else(Vec::new, |field| field.values.clone()),

@@ -48,6 +48,13 @@ pub fn signed(value: f64, decimals: usize) -> String {
     format!("{sign}{digits}")
 }
 
+/// The text with a capital letter first.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

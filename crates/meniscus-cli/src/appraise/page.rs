@@ -6,6 +6,7 @@ use meniscus_report::number::significant;
 
 use super::cost::Cost;
 use super::score::{Cell, Score, order};
+use crate::table::capital;
 
 /// Everything that the page tells.
 pub struct Page<'a> {
@@ -275,12 +276,6 @@ fn with(value: f64, unit: &str) -> String {
         "deg" => format!("{value} degrees"),
         unit => format!("{value} {unit}"),
     }
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
 }
 
 #[cfg(test)]

@@ -47,6 +47,8 @@ pub struct ParticlePictures {
     view: View,
     limits: Option<[f64; 2]>,
     names: Vec<String>,
+    /// Of the panels, where times do not tell them apart.
+    titles: Vec<String>,
     snapshots: Vec<Snapshot>,
     /// Of each panel.
     arrows: Vec<Vec<[f64; 3]>>,
@@ -61,6 +63,7 @@ impl ParticlePictures {
             view: View::Whole(Direction::Z),
             limits: None,
             names: Vec::new(),
+            titles: Vec::new(),
             snapshots: Vec::new(),
             arrows: Vec::new(),
         }
@@ -78,6 +81,11 @@ impl ParticlePictures {
             limits: Some([low, high]),
             ..self
         }
+    }
+
+    /// The same with a title for each panel instead of its time.
+    pub fn titled(self, titles: Vec<String>) -> Self {
+        Self { titles, ..self }
     }
 
     /// The same with values that are no measure but count these names, from zero: each has a
@@ -128,8 +136,11 @@ impl ParticlePictures {
             .collect()
     }
 
-    /// The times as titles, in one unit and with the digits that tell them apart.
+    /// Titles: those given, or the times, in one unit and with the digits that tell them apart.
     fn times(&self) -> Vec<String> {
+        if self.titles.len() == self.snapshots.len() {
+            return self.titles.clone();
+        }
         let times: Vec<f64> = self.snapshots.iter().map(|s| s.time).collect();
         let latest = times.iter().fold(0.0, |a: f64, t| a.max(t.abs()));
         let unit = scaled_unit("s", latest);
