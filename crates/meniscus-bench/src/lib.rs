@@ -39,7 +39,7 @@ use meniscus::rates::{Dimension, Space};
 use options::Options;
 use peak::Peak;
 use serde::Serialize;
-use state::{Arrangement, Flow, State, Tile};
+use state::{Arrangement, State, Tile};
 use steps::StepCost;
 use sweeps::Still;
 use targets::Target;
@@ -196,7 +196,7 @@ where
                 let effort = options.effort;
                 let still = sweeps::measure(&state, variant, crews, &findings.peaks, effort)?;
                 let mut steps = Vec::new();
-                for flow in Flow::ALL {
+                for &flow in state.flows() {
                     progress(&format!("{what}: steps, {}", flow.name()));
                     steps.extend(steps::measure(&state, flow, variant, crews, effort)?);
                 }

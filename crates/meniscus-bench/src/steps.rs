@@ -68,7 +68,7 @@ where
     let yardstick = largest.work(|| Yardstick::new(&particles, rows, h, 0.1));
     let mut pace = Pace::new(&yardstick);
     // A floor is part of what the liquid costs.
-    let n = state.particles.len() as f64;
+    let n = particles.body.iter().filter(|&&body| body == 0).count() as f64;
     let mut samples = vec![Samples::default(); crews.len()];
     let mut lives = Vec::new();
     let begin = Instant::now();

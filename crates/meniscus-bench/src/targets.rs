@@ -125,6 +125,13 @@ impl Book<'_> {
         let splash = slowdown(Arrangement::Splash, size);
         let what = named("splash slower than lattice");
         add(what, "% at most", 25.0, false, worst(splash));
+        for dimension in [2, 3] {
+            let rate = |flow| self.rate(dimension, Arrangement::Lattice, size, flow);
+            let ratio = (rate(Flow::Summation).zip(rate(Flow::Adaptive)))
+                .map(|(constant, adaptive)| constant / adaptive);
+            let what = format!("{dimension}D step, adaptive smoothing against one length");
+            add(named(&what), "times at most", 1.5, false, ratio);
+        }
         let memory = (self.findings.memory.iter())
             .find(|memory| memory.variant.precision == self.precision && memory.dimension == 3);
         let what = "3D memory all told".to_owned();

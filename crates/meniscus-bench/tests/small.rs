@@ -79,9 +79,13 @@ fn a_run_has_all_that_is_promised() {
                 "{difference}: {still}"
             );
         }
-        // Lists and six sweeps, three flows, on one thread and on two.
+        // Lists and six sweeps, on one thread and on two; three flows, two more on a lattice.
         assert_eq!(still["sweeps"].as_array().unwrap().len(), 14);
-        assert_eq!(costs["steps"].as_array().unwrap().len(), 6);
+        let flows = match costs["arrangement"].as_str() {
+            Some("lattice") => 5,
+            _ => 3,
+        };
+        assert_eq!(costs["steps"].as_array().unwrap().len(), 2 * flows);
         for sweep in still["sweeps"].as_array().unwrap() {
             assert!(is_positive(&sweep["cost"]["nanoseconds"]), "{sweep}");
             if sweep["name"] != "lists" {
@@ -94,7 +98,7 @@ fn a_run_has_all_that_is_promised() {
         }
     }
     let targets = json["targets"].as_array().unwrap();
-    assert_eq!(targets.len(), 16);
+    assert_eq!(targets.len(), 20);
     for target in targets {
         let measured = target["measured"].as_f64();
         assert_eq!(

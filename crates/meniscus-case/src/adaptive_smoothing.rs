@@ -10,9 +10,9 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
     let Some(model) = physics.adaptive_smoothing else {
         return;
     };
-    let calibrated = matches!(
+    let calibrated = !matches!(
         physics.surface_tension,
-        Some(SurfaceTension::Continuum(_) | SurfaceTension::Pairwise(_))
+        None | Some(SurfaceTension::JancikHyhlik(_))
     );
     let complaints = [
         (

@@ -57,13 +57,20 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
             continue;
         };
         let name = &wall.name;
-        let by_energy = matches!(
+        let takes_angle = matches!(
             draft.physics.surface_tension,
-            Some(SurfaceTension::TotalVariation(_))
+            Some(SurfaceTension::Balanced(_) | SurfaceTension::TotalVariation(_))
         );
         let is_coefficient = matches!(wall.adhesion, Adhesion::Coefficient(_));
         match model {
-            None if by_energy && !is_coefficient => {}
+            None if takes_angle && !is_coefficient => {}
+            None if takes_angle => say(
+                Severity::Error,
+                span,
+                format!("\"{name}\" has a coefficient of another model"),
+                "`adhesion` is beta of \"akinci\"",
+                "give `contact_angle` instead",
+            ),
             None => say(
                 Severity::Error,
                 span,

@@ -13,7 +13,7 @@ use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::pairwise::Pairwise;
 use crate::physics::surface_tension::pairwise::akinci::Akinci;
 use crate::physics::surface_tension::pairwise::lennard_jones::LennardJones;
-use crate::physics::wall::Adhesion;
+use crate::physics::wall::{Adhesion, Wall};
 use crate::scheme::{
     AdaptiveSmoothing, DensityDiffusion, DensityForm, PressureForm, Scheme, TimeStep, VanDerWaals,
 };
@@ -301,8 +301,9 @@ fn validate_balanced<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError>
             setup.fluids.len()
         ));
     }
-    if !setup.scheme.walls.is_empty() {
-        return complain("does not know walls: take pairwise forces".into());
+    let adhesion = |wall: &Wall| matches!(wall.adhesion, Adhesion::Coefficient(_));
+    if setup.scheme.walls.iter().any(adhesion) {
+        return complain("takes a contact angle of a wall, not a coefficient of adhesion".into());
     }
     Ok(())
 }
@@ -327,16 +328,16 @@ fn validate_pairwise<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError>
                 wall.adhesion
             ));
         }
-        let by_energy = matches!(
+        let takes_angle = matches!(
             (wall.adhesion, &scheme.surface_tension),
             (
                 Adhesion::ContactAngle(_),
-                Some(SurfaceTension::TotalVariation(_))
+                Some(SurfaceTension::Balanced(_) | SurfaceTension::TotalVariation(_))
             )
         );
-        if wall.adhesion != Adhesion::None && model.is_none() && !by_energy {
+        if wall.adhesion != Adhesion::None && model.is_none() && !takes_angle {
             return complain(format!(
-                "wall {index} has adhesion, which only pairwise forces and, as a contact angle, total variation know"
+                "wall {index} has adhesion, which only pairwise forces and, as a contact angle, the balanced model and total variation know"
             ));
         }
         if matches!(wall.adhesion, Adhesion::Coefficient(_))

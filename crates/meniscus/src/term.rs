@@ -138,6 +138,8 @@ pub(crate) trait Shape: Copy + Send + Sync {
     const MAY_VARY: bool;
     /// What `shape` and `slope_over_q` want, from q^2.
     fn argument<R: Real>(self, square: R) -> R;
+    /// The same from r^2 and 1/h: root and reciprocal need not wait for each other.
+    fn argument_of<R: Real>(self, distance_squared: R, inverse_h: R) -> R;
     fn shape<R: Real>(self, argument: R) -> R;
     fn slope_over_q<R: Real>(self, argument: R) -> R;
 }
@@ -155,6 +157,14 @@ impl<K: SmoothingKernel> Shape for Compiled<K> {
             square
         } else {
             square.sqrt()
+        }
+    }
+    #[inline(always)]
+    fn argument_of<R: Real>(self, distance_squared: R, inverse_h: R) -> R {
+        if K::FROM_SQUARE {
+            distance_squared * inverse_h.square()
+        } else {
+            distance_squared.sqrt() * inverse_h
         }
     }
     #[inline(always)]
@@ -181,6 +191,10 @@ impl Shape for Kernel {
     #[inline(always)]
     fn argument<R: Real>(self, square: R) -> R {
         with_kernel!(self, K => Compiled::<K>(PhantomData).argument(square))
+    }
+    #[inline(always)]
+    fn argument_of<R: Real>(self, distance_squared: R, inverse_h: R) -> R {
+        with_kernel!(self, K => Compiled::<K>(PhantomData).argument_of(distance_squared, inverse_h))
     }
     #[inline(always)]
     fn shape<R: Real>(self, argument: R) -> R {
@@ -268,16 +282,18 @@ impl<Q: Shape> ScaledKernel<Q> {
         smoothing_length: impl FnOnce() -> R,
     ) -> Approach<R, D> {
         let distance_squared = offset.norm_squared();
-        let (inverse_h, square) = if Q::MAY_VARY && self.varies {
+        let (inverse_h, argument) = if Q::MAY_VARY && self.varies {
             let inverse_h = distance_squared.literal(1.0) / smoothing_length();
-            (inverse_h, distance_squared * inverse_h.square())
+            let argument = self.shape.argument_of(distance_squared, inverse_h);
+            (inverse_h, argument)
         } else {
-            (distance_squared, distance_squared * self.inverse_h_squared)
+            let square = distance_squared * self.inverse_h_squared;
+            (distance_squared, self.shape.argument(square))
         };
         Approach {
             offset,
             distance_squared,
-            argument: self.shape.argument(square),
+            argument,
             inverse_h,
         }
     }

@@ -1,10 +1,13 @@
 //! The walls of a simulation on their way: where their particles are, what these take from
 //! the fluid before each force, and what the fluid exerts on them.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::fluid::Fluid;
 use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::equation_of_state::Tait;
+use crate::physics::surface_tension::balanced::Wetting;
 use crate::physics::wall::{
     Adhesion, Bearing, Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled,
 };
@@ -243,6 +246,26 @@ impl<const D: usize> Walls<D> {
         mut rows: std::ops::Range<usize>,
     ) -> bool {
         rows.any(|row| self.wall_of(particles, row).is_none() || self.sums[row].weight > 0.0)
+    }
+
+    /// Finds volume and contact angle of the wall particles: a right angle where none is given.
+    pub(crate) fn find_wetting(&self, particles: &Particles<D>, found: &mut Wetting) {
+        if self.is_empty() {
+            return;
+        }
+        for column in [&mut found.volume, &mut found.angle] {
+            column.clear();
+            column.resize(particles.len(), 0.0);
+        }
+        for &row in &self.rows {
+            let row = row as usize;
+            let wall = self.wall_of(particles, row).map(|wall| &self.walls[wall]);
+            found.volume[row] = particles.volume(row);
+            found.angle[row] = match wall.map(|wall| wall.adhesion) {
+                Some(Adhesion::ContactAngle(angle)) => angle,
+                _ => FRAC_PI_2,
+            };
+        }
     }
 
     /// Makes walls that `which` holds for invisible to sums with the volume of neighbours.

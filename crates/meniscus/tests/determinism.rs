@@ -97,14 +97,8 @@ fn a_resume_does_not_change_a_bit() {
     same_after_resume(setup);
 }
 
-/// A drop of pairwise forces upon a plate that attracts it.
-#[test]
-fn pairwise_forces_keep_the_promise_too() {
-    let mut setup = free_drop::<2>(0.12, 0.1);
-    setup.scheme.surface_tension = Some(SurfaceTension::Pairwise(Pairwise::Akinci(Akinci {
-        curvature: Curvature::Consistent,
-        ..Akinci::default()
-    })));
+/// A plate under the drop.
+fn add_plate(setup: &mut Setup<2>, adhesion: Adhesion) {
     let plate = Layers::new(0.12, 0.48, 1000).plane(Vector([0.0, -1.1]), Vector([0.0, 1.0]), 3.0);
     let plate = plate.expect("it fits");
     setup
@@ -117,19 +111,33 @@ fn pairwise_forces_keep_the_promise_too() {
             body: 1,
         }));
     setup.scheme.walls = vec![Wall {
-        adhesion: Adhesion::Coefficient(20.0),
+        adhesion,
         ..Wall::new(1)
     }];
+}
+
+/// A drop of pairwise forces upon a plate that attracts it.
+#[test]
+fn pairwise_forces_keep_the_promise_too() {
+    let mut setup = free_drop::<2>(0.12, 0.1);
+    setup.scheme.surface_tension = Some(SurfaceTension::Pairwise(Pairwise::Akinci(Akinci {
+        curvature: Curvature::Consistent,
+        ..Akinci::default()
+    })));
+    add_plate(&mut setup, Adhesion::Coefficient(20.0));
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }
 
-/// Its curvature is state.
+/// Its curvature is state. A drop, and one that wets a plate.
 #[test]
 fn balanced_surface_tension_keeps_the_promise_too() {
     let mut setup = free_drop::<2>(0.12, 0.1);
     setup.scheme.density = DensityForm::Corrected;
     setup.scheme.surface_tension = Some(SurfaceTension::Balanced(Balanced));
+    same_on_threads(setup.clone());
+    same_after_resume(setup.clone());
+    add_plate(&mut setup, Adhesion::ContactAngle(1.2));
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }

@@ -13,7 +13,7 @@ use meniscus::physics::surface_tension::pairwise::Pairwise;
 use meniscus::physics::surface_tension::pairwise::akinci::Akinci;
 use meniscus::physics::wall::layout::Layers;
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::{Adhesion, PressureForm, Wall};
+use meniscus::scheme::{AdaptiveSmoothing, Adhesion, DensityForm, PressureForm, Wall};
 use meniscus::{Domain, Fluid, Scheme, Setup, Simulation, SurfaceTension, Vector};
 use serde::Serialize;
 
@@ -55,11 +55,23 @@ pub enum Flow {
     Csf,
     /// Plain, and cohesion and adhesion by forces of pairs (Akinci), on a floor that wets.
     Wetting,
+    /// Density by summation, pressure and artificial viscosity, in a box full of liquid.
+    Summation,
+    /// The same with smoothing lengths that follow density, about the same.
+    Adaptive,
 }
 
 impl Flow {
-    /// All that is measured.
-    pub const ALL: [Flow; 3] = [Flow::Plain, Flow::Csf, Flow::Wetting];
+    /// All that is measured on a lattice.
+    pub const ALL: [Flow; 5] = [
+        Flow::Plain,
+        Flow::Csf,
+        Flow::Wetting,
+        Flow::Summation,
+        Flow::Adaptive,
+    ];
+    /// Those that need no box full of liquid.
+    pub const FREE: [Flow; 3] = [Flow::Plain, Flow::Csf, Flow::Wetting];
     /// Those that are measured from small to large.
     pub const SCALED: [Flow; 2] = [Flow::Plain, Flow::Csf];
 
@@ -69,6 +81,8 @@ impl Flow {
             Flow::Plain => "plain",
             Flow::Csf => "surface force",
             Flow::Wetting => "pair forces on a floor",
+            Flow::Summation => "summation",
+            Flow::Adaptive => "adaptive summation",
         }
     }
 }
@@ -84,7 +98,7 @@ pub fn fluid(flow: Flow) -> Fluid {
     Fluid {
         sound_speed: SOUND_SPEED,
         surface_tension: match flow {
-            Flow::Plain => 0.0,
+            Flow::Plain | Flow::Summation | Flow::Adaptive => 0.0,
             Flow::Csf | Flow::Wetting => SURFACE_TENSION,
         },
         ..Fluid::new("liquid", 1.0)
@@ -108,6 +122,18 @@ fn scheme<const D: usize>(flow: Flow) -> Scheme {
                 adhesion: Adhesion::ContactAngle(1.0),
                 ..Wall::new(FLOOR)
             }],
+            ..plain
+        },
+        Flow::Summation => Scheme {
+            density: DensityForm::Summation,
+            ..plain
+        },
+        Flow::Adaptive => Scheme {
+            density: DensityForm::Summation,
+            adaptive_smoothing: Some(AdaptiveSmoothing {
+                k: 1.0,
+                ..AdaptiveSmoothing::default()
+            }),
             ..plain
         },
     }
@@ -177,7 +203,15 @@ where
         }
     }
 
-    /// A flow that starts from it.
+    /// What is measured on it.
+    pub fn flows(&self) -> &'static [Flow] {
+        match self.arrangement {
+            Arrangement::Lattice => &Flow::ALL,
+            Arrangement::Splash => &Flow::FREE,
+        }
+    }
+
+    /// A flow that starts from it; in a box full of liquid from as large a lattice.
     ///
     /// # Errors
     /// None that this crate can cause.
@@ -187,15 +221,22 @@ where
             ..scheme::<D>(flow)
         };
         let mut particles = self.particles.clone();
-        if flow == Flow::Wetting {
-            particles.extend(floor(&self.particles, &scheme)?);
+        let mut domain = Domain::default();
+        match flow {
+            Flow::Plain | Flow::Csf => {}
+            Flow::Wetting => particles.extend(floor(&self.particles, &scheme)?),
+            Flow::Summation | Flow::Adaptive => {
+                let side;
+                (particles, side) = lattice::full(particles.len());
+                domain.periodic = [Some((0.0, side)); D];
+            }
         }
         let mut simulation = Simulation::new(Setup {
             scheme,
             fluids: vec![fluid(flow)],
             particles,
             spacing: 1.0,
-            domain: Domain::default(),
+            domain,
         })?;
         simulation.set_instructions(variant.instructions);
         Ok(simulation)

@@ -95,7 +95,7 @@ fn adhesion(fields: &mut Fields<'_, '_>) -> (Adhesion, Option<Range<usize>>) {
         span = Some(node.span());
         node.number(Sign::NotNegative)
     });
-    let about = "The contact angle that pairwise forces are to give, instead of `adhesion`.";
+    let about = "The contact angle that surface tension is to give, instead of `adhesion`.";
     let angle = fields.optional("contact_angle", about, |node| {
         span = Some(node.span());
         let angle = node.quantity(&units::ANGLE, Sign::NotNegative);

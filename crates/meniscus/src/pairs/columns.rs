@@ -193,7 +193,10 @@ impl<const D: usize> Columns<D> {
                         square = square + gap * gap;
                     }
                     let there = u8::MAX >> WIDTH.saturating_sub(rows.end - row);
-                    let both = Lane::load_slice(simd, reach.rows_from(row)) + own;
+                    let both = match reach.same() {
+                        Some(_) => Lane::splat(simd, both),
+                        None => reach.lane(simd, row) + own,
+                    };
                     let near = square.not_above(both.square());
                     entries.append(offset + row as u32, near & there);
                     row += WIDTH;

@@ -169,8 +169,8 @@ impl<const D: usize> Near<'_, D> {
     #[inline(always)]
     fn list<S: Simd>(&self, simd: S, rows: Range<usize>, entries: &mut Entries) {
         let begin = entries.length;
-        let own = &self.reach.rows_from(rows.start)[..rows.len()];
-        let farthest = own.iter().fold(0.0, |a: f64, &b| a.max(b));
+        let own = rows.clone().map(|row| self.reach.of(row));
+        let farthest = own.fold(0.0, f64::max);
         let mut start = rows.start;
         let mut parts = 0;
         while start < rows.end {
@@ -197,8 +197,8 @@ impl<const D: usize> Near<'_, D> {
     #[inline(always)]
     fn near_any<S: Simd>(&self, simd: S, rows: Range<usize>, list: &mut [u32]) -> usize {
         let own: [Lane<S>; D] = std::array::from_fn(|d| self.real.lane(simd, rows.clone(), d));
-        let own_reach = self.reach.rows_from(rows.start);
-        let own_reach = std::array::from_fn(|lane| own_reach[lane.min(rows.len() - 1)]);
+        let own_reach =
+            std::array::from_fn(|lane| self.reach.of((rows.start + lane).min(rows.end - 1)));
         let own_reach = Lane::load(simd, own_reach);
         let count = self.real.len();
         let mut kept = 0;
@@ -214,7 +214,7 @@ impl<const D: usize> Near<'_, D> {
                 let offset = *own - columns.coordinate(row, d);
                 square = offset.mul_add(offset, square);
             }
-            let both = own_reach + reach.rows_from(row)[0];
+            let both = own_reach + reach.of(row);
             list[kept] = entry as u32;
             kept += usize::from(square.not_above(both.square()) != 0);
         }

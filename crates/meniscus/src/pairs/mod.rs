@@ -46,7 +46,6 @@ use images::Image;
 use level::{Widest, is_fused, is_widest};
 use lists::Chunk;
 use rayon::prelude::*;
-use records::Records;
 use smoothing::Reach;
 
 use crate::kernel::{Kernel, WendlandC2};
@@ -226,9 +225,13 @@ impl<const D: usize> Pairs<D> {
             (self.reference_smoothing_length).extend_from_slice(&particles.smoothing_length);
         }
         let mut reach = std::mem::take(&mut self.reach);
-        let of_row = |i| self.support_share(particles, i) + 0.5 * self.skin;
         let columns = columns.unwrap_or(&self.columns);
-        reach.fill(columns, (0..particles.len()).map(of_row));
+        if self.reach_varies() {
+            let of_row = |i| self.support_share(particles, i) + 0.5 * self.skin;
+            reach.fill(columns, (0..particles.len()).map(of_row));
+        } else {
+            reach.fill_same(self.support_share(particles, 0) + 0.5 * self.skin);
+        }
         self.reach = reach;
         let farthest = 2.0 * self.reach.largest();
         images::collect(&self.domain, &self.reference, farthest, &mut self.images);
@@ -241,15 +244,25 @@ impl<const D: usize> Pairs<D> {
         self.sorted_images.clear();
         self.sorted_images
             .extend(order.iter().map(|&k| self.images[k as usize]));
-        let of_row = self.reach.rows_from(0);
-        let of_image = (self.sorted_images.iter()).map(|image| of_row[image.source as usize]);
-        self.image_reach.fill(&self.image_columns, of_image);
+        if let Some(same) = self.reach.same() {
+            self.image_reach.fill_same(same);
+        } else {
+            let sources = self.sorted_images.iter().map(|image| image.source as usize);
+            let of_image = sources.map(|source| self.reach.of(source));
+            self.image_reach.fill(&self.image_columns, of_image);
+        }
         lists::build(
             self.level,
             &mut self.chunks,
             (columns, &self.reach),
             (&self.image_columns, &self.image_reach),
         );
+    }
+
+    /// Whether some rows reach farther than others.
+    fn reach_varies(&self) -> bool {
+        let varies = |smoothing| matches!(smoothing, Smoothing::Mean { .. });
+        varies(self.smoothing) || self.also.is_some_and(varies)
     }
 
     /// What row `i` adds to the support of its pairs, m.
@@ -286,15 +299,14 @@ impl<const D: usize> Pairs<D> {
     /// Whether each particle's way from where it was, and what its reach has grown by, are
     /// together at most half the skin; what is not a number is not.
     fn is_within_skin(&self, particles: &Particles<D>) -> bool {
-        let varies = self.smoothing_varies();
-        let then = self.reach.rows_from(0);
+        let varies = self.reach_varies();
         (particles.position.par_iter(), &self.reference)
             .into_par_iter()
             .with_min_len(4096)
             .enumerate()
             .all(|(i, (now, reference))| {
                 let left = if varies {
-                    then[i] - self.support_share(particles, i)
+                    self.reach.of(i) - self.support_share(particles, i)
                 } else {
                     0.5 * self.skin
                 };
@@ -324,8 +336,22 @@ impl<const D: usize> Pairs<D> {
 
     /// For each row the body that it belongs to, and how many there are. Particles of two bodies
     /// have not been within each other's `support` (m) since the lists were built.
-    pub(crate) fn bodies(&self, support: f64) -> (Vec<u32>, usize) {
-        bodies::connected(&self.reference, support + self.skin, &self.domain)
+    /// Rows that do not take part have none.
+    pub(crate) fn bodies(
+        &self,
+        support: f64,
+        takes_part: impl Fn(usize) -> bool,
+    ) -> (Vec<u32>, usize) {
+        let rows: Vec<usize> = (0..self.reference.len())
+            .filter(|&i| takes_part(i))
+            .collect();
+        let points: Vec<_> = rows.iter().map(|&i| self.reference[i]).collect();
+        let (of, count) = bodies::connected(&points, support + self.skin, &self.domain);
+        let mut of_row = vec![u32::MAX; self.reference.len()];
+        for (row, of) in rows.into_iter().zip(of) {
+            of_row[row] = of;
+        }
+        (of_row, count)
     }
 
     /// How often lists were built.
@@ -417,14 +443,13 @@ impl<const D: usize> Pairs<D> {
             Smoothing::Constant(h) => ScaledKernel::new(self.kernel, h, D),
             Smoothing::Mean { .. } => ScaledKernel::varying(self.kernel, D),
         };
+        let records = records::pack(arithmetic, smoothing, term, particles, images, buffer);
         let is_default = self.kernel == Kernel::WendlandC2;
         if T::OFTEN && is_default && !kernel.varies() && is_widest(level) {
             // The default kernel is worth code of its own.
             let kernel = kernel.compiled::<WendlandC2>();
-            let records = Records::new(arithmetic, smoothing, term, particles, images, buffer);
             sweep::run::<Widest, _, _, _, D>(level, term, kernel, chunks, records, active, sums);
         } else {
-            let records = Records::new(arithmetic, smoothing, term, particles, images, buffer);
             sweep::run::<N::InstructionSets, _, _, _, D>(
                 level, term, kernel, chunks, records, active, sums,
             );

@@ -1,6 +1,7 @@
-//! What a sweep reads of every particle, packed: its position, its share of the
-//! smoothing length where that may vary, the record of the term, then nothing up
-//! to a whole vector.
+//! What a sweep reads of every particle, packed: its position, then the record
+//! of the term, then nothing up to a whole vector. Behind the last row stand the shares of
+//! all in the smoothing length, where that varies: beside the positions they would take
+//! many a record over the end of its vector.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -12,7 +13,7 @@ use super::lane::WIDTH;
 use super::parallel::for_each_part;
 use super::smoothing::Smoothing;
 use crate::particles::Particles;
-use crate::term::{PairTerm, Record, Shape};
+use crate::term::{PairTerm, Record};
 
 /// Rows, or images, that one task packs.
 const ROWS_PER_TASK: usize = 1024;
@@ -20,52 +21,44 @@ const ROWS_PER_TASK: usize = 1024;
 /// Most numbers of a record.
 pub(crate) const MOST_REALS: usize = 64;
 
-/// Packed records of a term, for a kernel of the shape `Q`: of the rows, then of the images.
-pub(crate) struct Records<'a, N: Arithmetic, Q, T, const D: usize> {
+/// Packed records of a term: of the rows, then of the images.
+pub(crate) struct Records<'a, N: Arithmetic, T, const D: usize> {
     pub(crate) arithmetic: N,
     numbers: &'a [N::Packed],
-    term: PhantomData<(Q, T)>,
+    /// As many as records; of no meaning where the smoothing length is constant.
+    shares: &'a [N::Packed],
+    term: PhantomData<T>,
 }
 
-impl<N: Arithmetic, Q, T, const D: usize> Clone for Records<'_, N, Q, T, D> {
+impl<N: Arithmetic, T, const D: usize> Clone for Records<'_, N, T, D> {
     #[inline(always)]
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<N: Arithmetic, Q, T, const D: usize> Copy for Records<'_, N, Q, T, D> {}
+impl<N: Arithmetic, T, const D: usize> Copy for Records<'_, N, T, D> {}
 
-/// Where in a row of numbers things stand.
-#[derive(Clone, Copy)]
-struct Layout {
-    /// Before the record of the term.
-    first: usize,
-    /// From one row to the next.
-    stride: usize,
-}
-
-/// Packs records of all rows and images, the share of the smoothing length with them where the
-/// layout has a place for it.
-fn pack<N: Arithmetic, T: PairTerm<D>, const D: usize>(
+/// Packs records of all rows and images of `term` into `buffer`.
+pub(crate) fn pack<'a, N: Arithmetic, T: PairTerm<D>, const D: usize>(
     arithmetic: N,
-    layout: Layout,
     smoothing: Smoothing,
     term: &T,
     particles: &Particles<D>,
     images: &[Image<D>],
-    numbers: &mut [N::Packed],
-) {
-    let Layout { first, stride } = layout;
+    buffer: &'a mut LineBuffer<N::Packed>,
+) -> Records<'a, N, T, D> {
+    let stride = Records::<N, T, D>::STRIDE;
+    let count = particles.len() + images.len();
+    let (numbers, shares) = buffer
+        .take(count * (stride + 1))
+        .split_at_mut(count * stride);
     let (own, shifted) = numbers.split_at_mut(particles.len() * stride);
     for_each_part(own, ROWS_PER_TASK * stride, &|part, own| {
         let rows = part * ROWS_PER_TASK..;
         for (packed, i) in own.chunks_exact_mut(stride).zip(rows) {
             arithmetic.pack_position(&particles.position[i], packed);
-            if first > D {
-                packed[D] = N::pack(smoothing.share(particles, i));
-            }
-            let mut k = first;
+            let mut k = D;
             term.record(particles, i).write(&mut |value| {
                 packed[k] = N::pack(value);
                 k += 1;
@@ -80,38 +73,29 @@ fn pack<N: Arithmetic, T: PairTerm<D>, const D: usize>(
             arithmetic.pack_position(&(particles.position[source] + image.shift), packed);
         }
     });
-}
-
-impl<'a, N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Records<'a, N, Q, T, D> {
-    /// Numbers before the record of the term.
-    pub(crate) const FIRST: usize = D + Q::MAY_VARY as usize;
-    /// Numbers from one row to the next: whole vectors of 32 bytes.
-    const STRIDE: usize = (Self::FIRST + <T::Record<f64> as Record<f64>>::LENGTH)
-        .next_multiple_of(32 / size_of::<N::Packed>());
-
-    /// Packs records of all rows and images of `term` into `buffer`.
-    pub(crate) fn new(
-        arithmetic: N,
-        smoothing: Smoothing,
-        term: &T,
-        particles: &Particles<D>,
-        images: &[Image<D>],
-        buffer: &'a mut LineBuffer<N::Packed>,
-    ) -> Self {
-        let numbers = buffer.take((particles.len() + images.len()) * Self::STRIDE);
-        let layout = Layout {
-            first: Self::FIRST,
-            stride: Self::STRIDE,
-        };
-        pack(
-            arithmetic, layout, smoothing, term, particles, images, numbers,
-        );
-        Self {
-            arithmetic,
-            numbers,
-            term: PhantomData,
+    if matches!(smoothing, Smoothing::Mean { .. }) {
+        let (own, shifted) = shares.split_at_mut(particles.len());
+        for_each_part(own, ROWS_PER_TASK, &|part, own| {
+            for (share, row) in own.iter_mut().zip(part * ROWS_PER_TASK..) {
+                *share = N::pack(smoothing.share(particles, row));
+            }
+        });
+        for (share, image) in shifted.iter_mut().zip(images) {
+            *share = own[image.source as usize];
         }
     }
+    Records {
+        arithmetic,
+        numbers,
+        shares,
+        term: PhantomData,
+    }
+}
+
+impl<N: Arithmetic, T: PairTerm<D>, const D: usize> Records<'_, N, T, D> {
+    /// Numbers from one row to the next: whole vectors of 32 bytes.
+    const STRIDE: usize =
+        (D + <T::Record<f64> as Record<f64>>::LENGTH).next_multiple_of(32 / size_of::<N::Packed>());
 
     /// Number of records.
     pub(crate) fn len(&self) -> usize {
@@ -124,6 +108,26 @@ impl<'a, N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Records<'a, N,
         std::array::from_fn(|lane| {
             let row = (rows.start + lane).min(rows.end - 1);
             self.numbers[row * Self::STRIDE + column]
+        })
+    }
+
+    /// The share in the smoothing length of each row, the last row repeated.
+    #[inline(always)]
+    pub(crate) fn own_shares(&self, rows: &Range<usize>) -> [N::Packed; WIDTH] {
+        std::array::from_fn(|lane| self.shares[(rows.start + lane).min(rows.end - 1)])
+    }
+
+    /// The shares in the smoothing length of two entries.
+    ///
+    /// # Safety
+    /// Both must be below [`len`](Self::len).
+    #[inline(always)]
+    #[allow(unsafe_code)]
+    pub(crate) unsafe fn shares(&self, entries: [u32; 2]) -> [N::Packed; 2] {
+        entries.map(|j| {
+            debug_assert!((j as usize) < self.shares.len());
+            // SAFETY: there are as many as records.
+            unsafe { *self.shares.get_unchecked(j as usize) }
         })
     }
 

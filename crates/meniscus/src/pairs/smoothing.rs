@@ -1,7 +1,9 @@
 //! The smoothing length of a pair, and how far each particle reaches for others.
 
+use fearless_simd::Simd;
+
 use super::columns::Columns;
-use super::lane::WIDTH;
+use super::lane::{Lane, WIDTH};
 use crate::particles::Particles;
 
 /// The smoothing length h_ij of a pair.
@@ -45,6 +47,8 @@ impl Smoothing {
 /// reach together.
 #[derive(Debug, Default)]
 pub(crate) struct Reach {
+    /// That of all, m, if it is the same; the columns below are empty then.
+    same: Option<f64>,
     /// Of each point, m, and a lane of zeros.
     of_row: Vec<f64>,
     /// The largest of each column, m.
@@ -54,12 +58,21 @@ pub(crate) struct Reach {
 }
 
 impl Reach {
+    /// The same for all, m.
+    pub(crate) fn fill_same(&mut self, reach: f64) {
+        self.same = Some(reach);
+        self.of_row.clear();
+        self.of_column.clear();
+        self.largest = reach;
+    }
+
     /// Those of the sorted points of `columns`, m.
     pub(crate) fn fill<const D: usize>(
         &mut self,
         columns: &Columns<D>,
         of_row: impl Iterator<Item = f64>,
     ) {
+        self.same = None;
         self.of_row.clear();
         self.of_row.extend(of_row.take(columns.len()));
         self.of_column.clear();
@@ -72,16 +85,28 @@ impl Reach {
         self.of_row.extend([0.0; WIDTH]);
     }
 
-    /// Of sorted points from `row` on, m.
+    /// That of all, m, if it is the same.
     #[inline(always)]
-    pub(crate) fn rows_from(&self, row: usize) -> &[f64] {
-        &self.of_row[row..]
+    pub(crate) fn same(&self) -> Option<f64> {
+        self.same
+    }
+
+    /// Of one point, m.
+    #[inline(always)]
+    pub(crate) fn of(&self, row: usize) -> f64 {
+        self.same.unwrap_or_else(|| self.of_row[row])
+    }
+
+    /// Of eight sorted points from `row` on, m, where it is not the same.
+    #[inline(always)]
+    pub(crate) fn lane<S: Simd>(&self, simd: S, row: usize) -> Lane<S> {
+        Lane::load_slice(simd, &self.of_row[row..])
     }
 
     /// The largest of a column, m.
     #[inline(always)]
     pub(crate) fn of_column(&self, column: usize) -> f64 {
-        self.of_column[column]
+        self.same.unwrap_or_else(|| self.of_column[column])
     }
 
     /// The largest of all, m.

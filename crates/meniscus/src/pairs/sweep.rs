@@ -32,7 +32,7 @@ pub(crate) fn run<I: InstructionSets, N: Arithmetic, Q: Shape, T: PairTerm<D>, c
     term: &T,
     kernel: ScaledKernel<Q>,
     chunks: &[Chunk],
-    records: Records<'_, N, Q, T, D>,
+    records: Records<'_, N, T, D>,
     active: Active<'_>,
     sums: &mut [T::Sum<f64>],
 ) {
@@ -53,11 +53,11 @@ pub(crate) fn run<I: InstructionSets, N: Arithmetic, Q: Shape, T: PairTerm<D>, c
     });
 }
 
-struct Task<'a, N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> {
+struct Task<'a, N: Arithmetic, Q, T: PairTerm<D>, const D: usize> {
     term: &'a T,
     kernel: ScaledKernel<Q>,
     chunk: &'a Chunk,
-    records: Records<'a, N, Q, T, D>,
+    records: Records<'a, N, T, D>,
     active: Active<'a>,
     /// First row of the chunk.
     first: usize,
@@ -106,12 +106,11 @@ impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Task<'_, N, Q, T, 
         let place: [N::Place<S>; D] =
             std::array::from_fn(|d| N::load_place(simd, records.column(&rows, d)));
         let share = if Q::MAY_VARY {
-            N::load(simd, records.column(&rows, D))
+            N::load(simd, records.own_shares(&rows))
         } else {
             N::splat(simd, 0.0)
         };
-        let own_place = OwnPlace { place, share };
-        let mut column = Records::<N, Q, T, D>::FIRST;
+        let mut column = D;
         let own = T::Record::<N::Lane<S>>::read(&mut || {
             column += 1;
             N::load(simd, records.column(&rows, column - 1))
@@ -124,11 +123,13 @@ impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Task<'_, N, Q, T, 
         } else {
             list.len() - 1
         };
-        let arithmetic = records.arithmetic;
-        let halves = arithmetic.halves(simd);
+        let halves = records.arithmetic.halves(simd);
+        let own_place = OwnPlace { place, share };
         // SAFETY: `run` has seen that every entry, and the zeros behind them, are records.
-        let pair = unsafe { records.pair(&entries[..2], &nobody, lonely == 0) };
-        let mut next = approach::<N, _, _, D>(simd, halves, arithmetic, &kernel, &own_place, pair);
+        let mut next = unsafe {
+            let pair = records.pair(&entries[..2], &nobody, lonely == 0);
+            approach(simd, halves, records, &kernel, &own_place, entries, pair)
+        };
         let windows = entries.windows(WINDOW).step_by(N::AT_ONCE);
         for (n, window) in (0..list.len()).step_by(N::AT_ONCE).zip(windows) {
             let those = &window[N::AT_ONCE..];
@@ -138,11 +139,13 @@ impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Task<'_, N, Q, T, 
             let now = next;
             // The root of the next pair runs while this one is worked out.
             // SAFETY: as above.
-            let pair = unsafe { records.pair(&those[..2], &nobody, lonely == n + N::AT_ONCE) };
-            next = approach::<N, _, _, D>(simd, halves, arithmetic, &kernel, &own_place, pair);
+            next = unsafe {
+                let pair = records.pair(&those[..2], &nobody, lonely == n + N::AT_ONCE);
+                approach(simd, halves, records, &kernel, &own_place, those, pair)
+            };
             // SAFETY: as above.
             let pair = unsafe { records.pair(&window[..2], &nobody, lonely == n) };
-            let mut column = Records::<N, Q, T, D>::FIRST;
+            let mut column = D;
             let other = T::Record::<N::Lane<S>>::read(&mut || {
                 column += 1;
                 N::broadcast(halves, pair.map(|record| record[column - 1]))
@@ -154,29 +157,41 @@ impl<N: Arithmetic, Q: Shape, T: PairTerm<D>, const D: usize> Task<'_, N, Q, T, 
     }
 }
 
-/// Where the particles of a cluster are, and their shares of the smoothing length if it varies.
+/// Where the particles of a cluster are, and their shares in the smoothing length if it varies.
 struct OwnPlace<P, L, const D: usize> {
     place: [P; D],
     share: L,
 }
 
-/// The distance of a neighbour, or of two, from the particles at `own`.
+/// The distance of a neighbour, or of the next two entries, from the particles at `own`.
+///
+/// # Safety
+/// The first two entries must be records.
 #[inline(always)]
-fn approach<N: Arithmetic, S: Simd, Q: Shape, const D: usize>(
+#[allow(unsafe_code)]
+unsafe fn approach<N: Arithmetic, S: Simd, Q: Shape, T: PairTerm<D>, const D: usize>(
     simd: S,
     halves: N::Halves<S>,
-    arithmetic: N,
+    records: Records<'_, N, T, D>,
     kernel: &ScaledKernel<Q>,
     own: &OwnPlace<N::Place<S>, N::Lane<S>, D>,
+    entries: &[u32],
     pair: [&[N::Packed]; 2],
 ) -> Approach<N::Lane<S>, D> {
     let mut offset = Vector([N::splat(simd, 0.0); D]);
     for d in 0..D {
-        offset[d] = arithmetic.offset(halves, own.place[d], pair.map(|record| record[d]));
+        let there = pair.map(|record| record[d]);
+        offset[d] = (records.arithmetic).offset(halves, own.place[d], there);
     }
-    kernel.approach::<_, D>(offset, || {
-        own.share + N::broadcast(halves, pair.map(|record| record[D]))
-    })
+    kernel.approach::<_, D>(
+        offset,
+        #[inline(always)]
+        || {
+            // SAFETY: the caller has seen that these are records.
+            let shares = unsafe { records.shares([entries[0], entries[1]]) };
+            own.share + N::broadcast(halves, shares)
+        },
+    )
 }
 
 /// Transposes a sum of lanes into one sum per row.

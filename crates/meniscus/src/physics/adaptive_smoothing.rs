@@ -64,12 +64,24 @@ impl AdaptiveSmoothing {
             .into_par_iter()
             .with_min_len(ROWS_PER_TASK)
             .for_each(|(logarithm, density)| *logarithm = density.ln());
-        // In the order of the rows, whatever the number of threads.
-        let mean = logarithm.iter().sum::<f64>() / logarithm.len().max(1) as f64;
+        let mean = sum(logarithm) / logarithm.len().max(1) as f64;
         let longest = self.k * smoothing_length;
         (particles.smoothing_length.par_iter_mut(), &*logarithm)
             .into_par_iter()
             .with_min_len(ROWS_PER_TASK)
             .for_each(|(h, logarithm)| *h = longest * (-self.epsilon * (logarithm - mean)).exp());
     }
+}
+
+/// The sum in an order of its own, whatever the number of threads: eight sums side by side, which
+/// need not wait for each other.
+fn sum(values: &[f64]) -> f64 {
+    let (eights, rest) = values.as_chunks::<8>();
+    let mut sums = [0.0; 8];
+    for eight in eights {
+        for (sum, value) in sums.iter_mut().zip(eight) {
+            *sum += value;
+        }
+    }
+    sums.iter().chain(rest).sum()
 }

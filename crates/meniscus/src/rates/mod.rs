@@ -29,6 +29,7 @@ use crate::physics::momentum::{
     Mixture, Momentum, OneFluid, OverDensityProduct, OverDensitySquared, PressureForm,
 };
 use crate::physics::surface_tension::SurfaceTension;
+use crate::physics::surface_tension::balanced::Wetting;
 use crate::physics::surface_tension::pairwise::Pull;
 use crate::physics::surface_tension::pairwise::estimate::Resolution;
 use crate::physics::surface_tension::surface::Surface;
@@ -54,8 +55,11 @@ pub(crate) struct Rates<const D: usize> {
     pull: Option<Pull<D>>,
     /// Rows of walls whose pressure balances these.
     bearing: Vec<usize>,
-    /// Bodies without a wall, where surface tension balances them.
+    /// Bodies of liquid, where surface tension balances them, and walls that they wet.
     free: surface::FreeBodies,
+    wetting: Wetting,
+    /// Mean of the particles at the start, m.
+    spacing: f64,
     viscous_stress: ViscousStress<D>,
     diffusing: Diffusing<D>,
     pub(crate) van_der_waals: Option<Cohesive<D>>,
@@ -112,6 +116,8 @@ impl<const D: usize> Rates<D> {
             pull,
             bearing: Vec::new(),
             free: surface::FreeBodies::default(),
+            wetting: Wetting::default(),
+            spacing,
             viscous_stress: ViscousStress::default(),
             diffusing: Diffusing::default(),
             van_der_waals,
@@ -173,6 +179,7 @@ impl<const D: usize> Rates<D> {
             self.pull_pairs(particles, &mut acceleration);
             self.walls.bear(particles, &mut acceleration);
         } else if self.scheme.surface_tension.is_some() {
+            self.walls.find_wetting(particles, &mut self.wetting);
             self.walls.hide(particles, |_| true);
             self.pull_surface(particles, &mut acceleration);
             self.walls.show(particles);

@@ -24,6 +24,22 @@ pub(super) struct FreeBodies {
 }
 
 impl FreeBodies {
+    /// The same of the liquid alone, whether a wall holds it or not.
+    fn find_liquid<const D: usize>(
+        &mut self,
+        pairs: &Pairs<D>,
+        support: f64,
+        particles: &Particles<D>,
+        walls: &Walls<D>,
+    ) {
+        if self.built == Some(pairs.builds()) {
+            return;
+        }
+        self.built = Some(pairs.builds());
+        let is_liquid = |row: usize| !walls.is_wall(particles.body[row]);
+        (self.of_row, self.count) = pairs.bodies(support, is_liquid);
+    }
+
     /// Finds them anew where lists are new.
     fn find<const D: usize>(
         &mut self,
@@ -36,7 +52,7 @@ impl FreeBodies {
             return;
         }
         self.built = Some(pairs.builds());
-        (self.groups, self.count) = pairs.bodies(support);
+        (self.groups, self.count) = pairs.bodies(support, |_| true);
         self.of_row.clone_from(&self.groups);
         let mut held = vec![false; self.count];
         for (body, &of) in particles.body.iter().zip(&self.of_row) {
@@ -93,17 +109,19 @@ impl<const D: usize> Rates<D> {
             }
             Some(SurfaceTension::Balanced(model)) => {
                 let support = self.scheme.kernel.support() * smoothing_length;
-                self.free.find(&self.pairs, support, particles, &self.walls);
+                self.free
+                    .find_liquid(&self.pairs, support, particles, &self.walls);
                 let surroundings = balanced::Surroundings {
                     surface_tension: self.fluids[0].surface_tension,
                     kernel: self.scheme.kernel,
                     smoothing_length,
-                    spacing: mean_spacing(&self.fluids, particles),
+                    spacing: self.spacing,
                     bodies: Bodies {
                         of_row: &self.free.of_row,
                         count: self.free.count,
                         domain: self.pairs.domain(),
                     },
+                    wetting: &self.wetting,
                 };
                 model.accelerate(
                     &mut self.pairs,

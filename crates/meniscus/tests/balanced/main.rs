@@ -5,6 +5,8 @@ mod common;
 
 mod drops;
 mod momentum;
+mod ripples;
+mod wetting;
 
 use common::{fluid, noise};
 use meniscus::physics::surface_tension::balanced::Balanced;

@@ -2,6 +2,10 @@
 //! curvature that is estimated particle by particle do not quite: what is left is taken off as
 //! a uniform acceleration and a rotation about the centre of mass. Taken off the surface
 //! alone, it would drive a circulation.
+//!
+//! A body on a plane wall of one contact angle is pulled along it by nothing either: what pulls at
+//! its contact line adds up to sigma cos(theta) times the integral of the line's normal
+//! in the wall. There the part along the wall is taken off; on other walls, nothing.
 
 use super::matrix::Matrix;
 use crate::pairs::Domain;
@@ -11,7 +15,7 @@ use crate::vector::Vector;
 /// Which particles move freely together.
 #[derive(Clone, Copy, Debug)]
 pub struct Bodies<'a, const D: usize> {
-    /// The body of each row, those of a wall and of what touches one beyond `count`.
+    /// The body of each row, those of none beyond `count`.
     pub of_row: &'a [u32],
     /// Number of bodies.
     pub count: usize,
@@ -26,6 +30,9 @@ struct Balance {
     force: [f64; 3],
     moment: [f64; 3],
     inertia: [[f64; 3]; 3],
+    /// Of the unit normals of walls within reach, and their number.
+    wall: [f64; 3],
+    walled: f64,
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -36,10 +43,12 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 /// Takes what forces per volume (N/m^3) add up to, and their moments, off each body.
-/// Returns the sum of all forces before, N (N/m in 2D).
+/// `wall` gives the normal of a wall within reach of a row, of any length. Returns the sum of
+/// all forces before, N (N/m in 2D).
 pub(crate) fn balance<const D: usize>(
     bodies: Bodies<'_, D>,
     particles: &Particles<D>,
+    wall: impl Fn(usize) -> Option<Vector<f64, D>>,
     force: &mut [Vector<f64, D>],
 ) -> Vector<f64, D> {
     let mut balances = vec![Balance::default(); bodies.count];
@@ -69,6 +78,13 @@ pub(crate) fn balance<const D: usize>(
                 balance.moment_of_mass[d] += particles.mass[i] * x[d];
                 balance.force[d] += pull[d];
             }
+            if let Some(normal) = wall(i) {
+                let normal = (normal * (1.0 / normal.norm())).to_3d();
+                balance.walled += 1.0;
+                for (sum, normal) in balance.wall.iter_mut().zip(normal) {
+                    *sum += normal;
+                }
+            }
         }
     }
     let centre = |balance: &Balance| balance.moment_of_mass.map(|moment| moment / balance.mass);
@@ -89,6 +105,7 @@ pub(crate) fn balance<const D: usize>(
         }
     }
     let turns: Vec<[f64; 3]> = balances.iter().map(Balance::turning).collect();
+    balances.iter_mut().for_each(Balance::keep_along_wall);
     for (i, &body) in bodies.of_row.iter().enumerate() {
         let Some(balance) = balances.get(body as usize) else {
             continue;
@@ -103,11 +120,32 @@ pub(crate) fn balance<const D: usize>(
 }
 
 impl Balance {
+    /// Leaves of the force what walls allow to take off.
+    fn keep_along_wall(&mut self) {
+        /// Length of the mean of unit normals of a plane wall, but for the lattice of its particles.
+        const PLANE: f64 = 0.999;
+        if self.walled == 0.0 {
+            return;
+        }
+        let square: f64 = self.wall.iter().map(|x| x * x).sum();
+        if square.sqrt() < PLANE * self.walled {
+            self.force = [0.0; 3];
+            return;
+        }
+        let across: f64 = (0..3).map(|d| self.wall[d] * self.force[d]).sum();
+        for d in 0..3 {
+            self.force[d] -= self.wall[d] * across / square;
+        }
+    }
+
     /// Angular acceleration, 1/s^2. Of particles on a line, whose inertia cannot be inverted,
     /// a half.
     fn turning(&self) -> [f64; 3] {
         /// How round the moments of inertia must be, see [`Matrix::inverse`].
         const LEAST: f64 = 1e-3;
+        if self.walled > 0.0 {
+            return [0.0; 3];
+        }
         let inverse = Matrix(self.inertia.map(Vector)).inverse(LEAST);
         inverse.times(&Vector(self.moment)).0
     }

@@ -8,6 +8,8 @@
 use super::coverage::{Coverage, Covered, Facing, Inward};
 use super::half_space::HalfSpace;
 use super::regression::Point;
+use super::wedge::Wedge;
+use super::wetting::{WallCoverage, WallCovered, Wetting, mirrored};
 use crate::particles::Particles;
 use crate::physics::surface_tension::gradient::LEAST_MATRIX;
 use crate::term::Sweep;
@@ -45,6 +47,21 @@ impl Thresholds {
     }
 }
 
+/// Least part of a wall that counts.
+const LEAST_WALL: f64 = 1e-3;
+
+/// The wedge of the wall that a particle is nearest to, if it is within reach.
+fn wedge_of<'a, const D: usize>(
+    wall: &WallCovered<f64, D>,
+    wedges: &'a [Wedge],
+) -> Option<&'a Wedge> {
+    let angle = wall.angle / wall.filled;
+    let off = |wedge: &Wedge| (wedge.angle - angle).abs();
+    (wedges.iter())
+        .filter(|_| wall.filled > LEAST_WALL)
+        .min_by(|a, b| off(a).total_cmp(&off(b)))
+}
+
 /// The particles at the surface: columns of one row per particle.
 #[derive(Debug, Default)]
 pub(super) struct Layer<const D: usize> {
@@ -56,7 +73,13 @@ pub(super) struct Layer<const D: usize> {
     pub(super) points: Vec<Point<f64, D>>,
     /// Whether a row is near enough to the surface to carry its curvature.
     pub(super) shallow: Vec<bool>,
+    /// c, as it were without walls; 1 for a wall.
     pub(super) filled: Vec<f64>,
+    /// What is seen of walls, the liquid's own n, and the images of points in the contact line;
+    /// empty without walls.
+    pub(super) walls: Vec<WallCovered<f64, D>>,
+    pub(super) own_normal: Vec<Vector<f64, D>>,
+    pub(super) images: Vec<Point<f64, D>>,
 }
 
 impl<const D: usize> Layer<D> {
@@ -65,11 +88,16 @@ impl<const D: usize> Layer<D> {
         &mut self,
         sweep: &mut impl Sweep<D>,
         particles: &Particles<D>,
-        thresholds: &Thresholds,
+        (half_space, thresholds): (&HalfSpace, &Thresholds),
+        wetting: &Wetting,
+        wedges: &[Wedge],
     ) {
         sweep.sweep(&Coverage, particles, |_| true, &mut self.covered);
         self.filled.clear();
         (self.filled).extend(self.covered.iter().map(|sum| sum.filled));
+        if !wetting.volume.is_empty() {
+            self.look_at_walls(sweep, particles, half_space, wetting, wedges);
+        }
         self.shallow.clear();
         let deepest = thresholds.deepest;
         (self.shallow).extend(self.filled.iter().map(|&filled| filled < deepest));
@@ -83,6 +111,56 @@ impl<const D: usize> Layer<D> {
         sweep.sweep(&term, particles, near_surface, &mut self.facing);
     }
 
+    /// Finds what c would be without walls, and n with them.
+    fn look_at_walls(
+        &mut self,
+        sweep: &mut impl Sweep<D>,
+        particles: &Particles<D>,
+        half_space: &HalfSpace,
+        wetting: &Wetting,
+        wedges: &[Wedge],
+    ) {
+        sweep.sweep(&WallCoverage(wetting), particles, |_| true, &mut self.walls);
+        self.own_normal.clear();
+        (self.own_normal).extend(self.covered.iter().map(|sum| sum.normal));
+        for (i, wall) in self.walls.iter().enumerate() {
+            if wetting.volume[i] > 0.0 {
+                self.filled[i] = 1.0;
+            } else if let Some(wedge) = wedge_of(wall, wedges) {
+                let covered = &mut self.covered[i];
+                let depth = wedge.depth(half_space, covered.filled, wall.filled);
+                self.filled[i] = half_space.filled(depth);
+                covered.normal += wall.normal;
+            }
+        }
+    }
+
+    /// Whether a particle is within reach of a wall.
+    pub(super) fn touches(&self, i: usize) -> bool {
+        self.walls
+            .get(i)
+            .is_some_and(|wall| wall.filled > LEAST_WALL)
+    }
+
+    /// n of the liquid alone, 1/m.
+    pub(super) fn own_normal(&self, i: usize) -> Vector<f64, D> {
+        let own = self.own_normal.get(i);
+        own.copied().unwrap_or(self.covered[i].normal)
+    }
+
+    /// Finds the images of the points near walls.
+    fn mirror(&mut self, half_space: &HalfSpace, wedges: &[Wedge]) {
+        self.images.clear();
+        let find = |(point, wall): (&Point<f64, D>, &WallCovered<f64, D>)| {
+            let wedge = wedge_of(wall, wedges).filter(|_| point.weight > 0.0)?;
+            let away = wall.normal * (-1.0 / wall.normal.norm());
+            let distance = half_space.depth(1.0 - wall.filled, 0.0) - point.inset.dot(&away);
+            mirrored(point, &away, distance, wedge.angle)
+        };
+        let pairs = self.points.iter().zip(&self.walls);
+        (self.images).extend(pairs.map(|pair| find(pair).unwrap_or_default()));
+    }
+
     /// Finds the depth of the layer's particles under a surface of this `curvature`, 1/m, and its
     /// points above them.
     pub(super) fn locate(
@@ -90,6 +168,7 @@ impl<const D: usize> Layer<D> {
         particles: &Particles<D>,
         half_space: &HalfSpace,
         thresholds: &Thresholds,
+        wedges: &[Wedge],
         curvature: &[f64],
     ) {
         self.points.clear();
@@ -117,6 +196,9 @@ impl<const D: usize> Layer<D> {
                 direction,
                 weight: particles.volume(i) * length,
             };
+        }
+        if !self.walls.is_empty() {
+            self.mirror(half_space, wedges);
         }
     }
 

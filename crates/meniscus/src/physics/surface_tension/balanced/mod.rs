@@ -25,24 +25,32 @@
 //! pressure to bring it back: it is a bump too small for kappa. To its own
 //! curvature -2 d / dx^2 is added. Neighbours nearer than 0.8 dx push each other.
 //!
-//! Forces and moments of each free body are balanced ([`super::bodies`]).
+//! Forces and moments of each free body are balanced, and of one on a plane wall the
+//! forces along it ([`super::bodies`]). What walls change is in [`Wetting`].
 //!
 //! - `half_space`: the kernel's integrals under a plane surface
 //! - `coverage`: what surrounds a particle
 //! - `layer`: which particles make the surface
 //! - `regression`: its curvature
 //! - `extension`: curvature off the surface
+//! - `wetting`, `wedge`: walls, and the contact angle
 
 mod coverage;
 mod extension;
 mod half_space;
 mod layer;
 mod regression;
+mod wedge;
+mod wetting;
 
 pub use coverage::{Coverage, Covered, Facing, Inward};
 pub use extension::{Extended, Extension, Mean};
 pub use half_space::HalfSpace;
 pub use regression::{Moments, Point, Regression};
+pub use wedge::Wedge;
+pub use wetting::{
+    Imaged, Solid, WallCoverage, WallCovered, WettedMean, WettedRegression, Wetting,
+};
 
 use super::bodies::{Bodies, balance};
 use super::gradient::LEAST_MATRIX;
@@ -81,12 +89,16 @@ pub struct Surroundings<'a, const D: usize> {
     pub spacing: f64,
     /// Free bodies.
     pub bodies: Bodies<'a, D>,
+    /// Walls, whose particles have no mass meanwhile.
+    pub wetting: &'a Wetting,
 }
 
 /// Columns that the model needs on its way.
 #[derive(Debug, Default)]
 pub(super) struct Scratch<const D: usize> {
     tables: Option<(HalfSpace, Thresholds)>,
+    /// One for each contact angle.
+    wedges: Vec<Wedge>,
     layer: Layer<D>,
     moments: Vec<Moments<f64, D>>,
     weight: Vec<f64>,
@@ -104,11 +116,13 @@ impl<const D: usize> Scratch<D> {
         &mut self,
         sweep: &mut impl Sweep<D>,
         particles: &Particles<D>,
-        spacing: f64,
+        surroundings: Surroundings<'_, D>,
         curvature: &mut [f64],
     ) {
+        let spacing = surroundings.spacing;
         let Self {
             tables: Some((half_space, thresholds)),
+            wedges,
             layer,
             moments,
             weight,
@@ -121,14 +135,25 @@ impl<const D: usize> Scratch<D> {
         else {
             return;
         };
-        layer.locate(particles, half_space, thresholds, curvature);
+        layer.locate(particles, half_space, thresholds, wedges, curvature);
         let term = Regression {
             points: &layer.points,
         };
         let in_layer = |rows: std::ops::Range<usize>| {
             (layer.points[rows].iter()).any(|point| point.weight > 0.0)
         };
-        sweep.sweep(&term, particles, in_layer, moments);
+        let h = surroundings.smoothing_length;
+        let wetted = WettedRegression {
+            points: &layer.points,
+            images: &layer.images,
+            kernel: (1.0 / h, surroundings.kernel.value(0.0, h, D)),
+        };
+        let walled = !layer.images.is_empty();
+        if walled {
+            sweep.sweep(&wetted, particles, in_layer, moments);
+        } else {
+            sweep.sweep(&term, particles, in_layer, moments);
+        }
         let sharpest = (D as f64 - 1.0) / spacing;
         weight.clear();
         weight.extend(layer.points.iter().map(|point| point.weight));
@@ -141,18 +166,28 @@ impl<const D: usize> Scratch<D> {
             }
         }));
         let shallow = |rows: std::ops::Range<usize>| layer.shallow[rows].contains(&true);
-        let values = rough;
-        sweep.sweep(&Mean { weight, values }, particles, shallow, means);
+        let mut mean = |values: &[f64], means: &mut Vec<(f64, f64)>| {
+            if walled {
+                let surface = wetted;
+                let term = WettedMean { surface, values };
+                sweep.sweep(&term, particles, shallow, means);
+            } else {
+                sweep.sweep(&Mean { weight, values }, particles, shallow, means);
+            }
+        };
+        mean(rough, means);
         held.clear();
         held.extend((0..particles.len()).map(|i| layer.shallow[i] && means[i].0 > 0.0));
-        let mean = |(sum, held): (&(f64, f64), &bool)| if *held { sum.1 / sum.0 } else { 0.0 };
         smooth.clear();
-        smooth.extend(means.iter().zip(&*held).map(mean));
-        let values = smooth;
-        sweep.sweep(&Mean { weight, values }, particles, shallow, means);
+        smooth.extend((means.iter().zip(&*held)).map(
+            |(sum, &held)| {
+                if held { sum.1 / sum.0 } else { 0.0 }
+            },
+        ));
+        mean(smooth, means);
         for (i, kappa) in curvature.iter_mut().enumerate() {
             if held[i] {
-                *kappa = values[i] + SHARPENING * (values[i] - means[i].1 / means[i].0);
+                *kappa = smooth[i] + SHARPENING * (smooth[i] - means[i].1 / means[i].0);
             }
         }
     }
@@ -176,7 +211,7 @@ impl<const D: usize> Scratch<D> {
             if self.held[i] {
                 curvature[i]
             } else {
-                self.extended[i].value / self.layer.filled[i]
+                self.extended[i].value / self.layer.covered[i].filled.max(f64::MIN_POSITIVE)
             }
         }));
     }
@@ -202,19 +237,27 @@ impl Balanced {
         let begins = carried.is_empty();
         carried.resize(particles.len(), 0.0);
         let scratch = &mut surface.balanced;
-        let (_, thresholds) = scratch.tables.get_or_insert_with(|| {
+        let tables = scratch.tables.get_or_insert_with(|| {
             let h = surroundings.smoothing_length;
             let half_space = HalfSpace::new(surroundings.kernel, h, D);
             let thresholds = Thresholds::new(&half_space, spacing);
             (half_space, thresholds)
         });
         let bump = BUMP / (spacing * spacing);
-        scratch.layer.look(sweep, particles, thresholds);
+        let wetting = surroundings.wetting;
+        for (&angle, &volume) in wetting.angle.iter().zip(&wetting.volume) {
+            if volume > 0.0 && scratch.wedges.iter().all(|wedge| wedge.angle != angle) {
+                let h = surroundings.smoothing_length;
+                (scratch.wedges).push(Wedge::new(surroundings.kernel, h, D, angle));
+            }
+        }
+        let tables = (&tables.0, &tables.1);
+        (scratch.layer).look(sweep, particles, tables, wetting, &scratch.wedges);
         let curvature = &mut surface.curvature;
         curvature.clone_from(&carried);
         let rest = REST * spacing;
         for _ in 0..if begins { ROUNDS } else { 1 } {
-            scratch.find_curvature(sweep, particles, spacing, curvature);
+            scratch.find_curvature(sweep, particles, surroundings, curvature);
         }
         if begins {
             for _ in 0..SPREADING {
@@ -243,9 +286,9 @@ impl Balanced {
         surface.force.clear();
         (surface.force).extend((0..particles.len()).map(|i| {
             let (normal, sum) = (layer.covered[i].normal, &extended[i]);
-            let mut kappa = curvature[i];
-            kappa += (bump * half_space.height(layer.filled[i], kappa)).min(sharpest);
-            let mut force = normal * (2.0 * kappa);
+            let kappa = curvature[i];
+            let outside = (bump * half_space.height(layer.filled[i], kappa)).min(sharpest);
+            let mut force = normal * (2.0 * kappa) + layer.own_normal(i) * (2.0 * outside);
             if layer.holds(i) {
                 surface.active += 1;
                 let inverse = layer.facing[i].inward.matrix.inverse(LEAST_MATRIX);
@@ -255,7 +298,12 @@ impl Balanced {
             }
             force * surface_tension + sum.push * push
         }));
-        surface.net_force = balance(surroundings.bodies, particles, &mut surface.force);
+        surface.net_force = balance(
+            surroundings.bodies,
+            particles,
+            |i| layer.touches(i).then(|| layer.walls[i].normal),
+            &mut surface.force,
+        );
         surface.add_to(&particles.density, acceleration);
     }
 }

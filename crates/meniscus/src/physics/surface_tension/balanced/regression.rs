@@ -76,16 +76,30 @@ impl<const D: usize> PairTerm<D> for Regression<'_, D> {
         ij: &Pair<R, D>,
         sum: &mut Moments<R, D>,
     ) {
-        let zero = ij.w.zero();
-        let same_side = zero.less(i.direction.dot(&j.direction));
-        let weight = R::select(same_side, j.weight * ij.w, zero);
         let along = i.inset - j.inset - ij.offset;
+        sum.add(i, j, along, ij.w);
+    }
+}
+
+impl<R: Real, const D: usize> Moments<R, D> {
+    /// Adds a point `along` the surface from another, m, that counts so much.
+    #[inline(always)]
+    pub(super) fn add(
+        &mut self,
+        i: &Point<R, D>,
+        j: &Point<R, D>,
+        along: Vector<R, D>,
+        nearness: R,
+    ) {
+        let zero = nearness.zero();
+        let same_side = zero.less(i.direction.dot(&j.direction));
+        let weight = R::select(same_side, j.weight * nearness, zero);
         let weighted = along * weight;
-        sum.weight = sum.weight + weight;
-        sum.along += weighted;
-        sum.direction += j.direction * weight;
-        sum.spread.add_outer(&weighted, &along);
-        sum.turning.add_outer(&j.direction, &weighted);
+        self.weight = self.weight + weight;
+        self.along += weighted;
+        self.direction += j.direction * weight;
+        self.spread.add_outer(&weighted, &along);
+        self.turning.add_outer(&j.direction, &weighted);
     }
 }
 

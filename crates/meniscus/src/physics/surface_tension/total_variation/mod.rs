@@ -108,7 +108,7 @@ impl TotalVariation {
         }
         scratch.rows = rows;
         surface.total_variation = scratch;
-        surface.net_force = balance(surroundings.free, particles, &mut surface.force);
+        surface.net_force = balance(surroundings.free, particles, |_| None, &mut surface.force);
         surface.add_to(&particles.density, acceleration);
     }
 }
