@@ -141,18 +141,21 @@ mod tests {
 
     #[test]
     fn it_agrees_with_all_pairs() {
+        const REACH: f64 = 1.0;
+        // Strewn without order: some lie alone, some in chains.
         let points: Vec<Vector<f64, 3>> = (0..300)
             .map(|k| {
-                let at = |c: f64| 10.0 * (f64::from(k) * c).fract();
-                Vector([at(0.754_877_666), at(0.569_840_29), at(0.430_159_7)])
+                let at =
+                    |c: f64| 10.0 * (43_758.545 * (f64::from(k) * c + c).sin()).rem_euclid(1.0);
+                Vector([at(12.9898), at(78.233), at(37.719)])
             })
             .collect();
-        let (of, count) = connected(&points, 1.4, &Domain::default());
+        let (of, count) = connected(&points, REACH, &Domain::default());
         // A few of them are neighbours: neither all one, nor all alone.
         assert!((10..290).contains(&count), "{count}");
         for i in 0..300 {
             for j in 0..i {
-                if (points[i] - points[j]).norm() < 1.4 {
+                if (points[i] - points[j]).norm() < REACH {
                     assert_eq!(of[i], of[j]);
                 }
             }
@@ -165,7 +168,7 @@ mod tests {
             floods += usize::from(!seen[start]);
             while let Some(i) = stack.pop() {
                 if !std::mem::replace(&mut seen[i], true) {
-                    stack.extend((0..300).filter(|&j| (points[i] - points[j]).norm() < 1.4));
+                    stack.extend((0..300).filter(|&j| (points[i] - points[j]).norm() < REACH));
                 }
             }
         }

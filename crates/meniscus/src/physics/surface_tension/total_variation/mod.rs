@@ -11,7 +11,7 @@
 //!
 //! The first term costs sigma for each area of a flat surface, however the colour falls off through it:
 //! particles gain nothing by their order. The second, weaker, does not: it keeps the outermost from
-//! spreading. k_T and k_G make either right on a flat surface ([`Calibrated`]). What a curved surface pulls is that
+//! spreading. k_T and k_G make either right on a flat surface (`calibration`). What a curved surface pulls is that
 //! of the smoothed one, so that mode n of a drop swings slower by about (n^2 - 3/2) v / (2 R^2), v the
 //! variance of the smoothing, 2.8 dx^2.
 //!
