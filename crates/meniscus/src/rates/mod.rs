@@ -262,9 +262,7 @@ fn mean_spacing<const D: usize>(fluids: &[Fluid], particles: &Particles<D>) -> f
     let volume: f64 = (particles.mass.iter().zip(&particles.fluid))
         .map(|(mass, fluid)| mass / fluids[*fluid as usize].density)
         .sum();
-    // Walls that are hidden have no mass.
-    let count = particles.mass.iter().filter(|mass| **mass > 0.0).count();
-    (volume / count.max(1) as f64).powf(1.0 / D as f64)
+    (volume / particles.len().max(1) as f64).powf(1.0 / D as f64)
 }
 
 fn is_viscous(fluids: &[Fluid]) -> bool {

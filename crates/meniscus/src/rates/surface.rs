@@ -1,6 +1,6 @@
 //! Forces by surface tension.
 
-use super::{Rates, mean_spacing};
+use super::Rates;
 use crate::pairs::{Domain, Pairs};
 use crate::particles::Particles;
 use crate::physics::surface_tension::SurfaceTension;
@@ -24,7 +24,12 @@ pub(super) struct FreeBodies {
 }
 
 impl FreeBodies {
-    /// The same of the liquid alone, whether a wall holds it or not.
+    /// Whether what is known is of these lists; from now on it is.
+    fn is_current<const D: usize>(&mut self, pairs: &Pairs<D>) -> bool {
+        self.built.replace(pairs.builds()) == Some(pairs.builds())
+    }
+
+    /// Finds those of the liquid alone, whether a wall holds it or not, anew where lists are new.
     fn find_liquid<const D: usize>(
         &mut self,
         pairs: &Pairs<D>,
@@ -32,15 +37,14 @@ impl FreeBodies {
         particles: &Particles<D>,
         walls: &Walls<D>,
     ) {
-        if self.built == Some(pairs.builds()) {
+        if self.is_current(pairs) {
             return;
         }
-        self.built = Some(pairs.builds());
         let is_liquid = |row: usize| !walls.is_wall(particles.body[row]);
         (self.of_row, self.count) = pairs.bodies(support, is_liquid);
     }
 
-    /// Finds them anew where lists are new.
+    /// Finds those of liquid and walls, and which no wall holds, anew where lists are new.
     fn find<const D: usize>(
         &mut self,
         pairs: &Pairs<D>,
@@ -48,10 +52,9 @@ impl FreeBodies {
         particles: &Particles<D>,
         walls: &Walls<D>,
     ) {
-        if self.built == Some(pairs.builds()) {
+        if self.is_current(pairs) {
             return;
         }
-        self.built = Some(pairs.builds());
         (self.groups, self.count) = pairs.bodies(support, |_| true);
         self.of_row.clone_from(&self.groups);
         let mut held = vec![false; self.count];
@@ -89,7 +92,7 @@ impl<const D: usize> Rates<D> {
                     smoothing_length,
                 };
                 if !self.surface.is_calibrated() {
-                    let spacing = mean_spacing(&self.fluids, particles);
+                    let spacing = self.spacing;
                     let support = self.scheme.kernel.support() * smoothing_length;
                     let mut layer = FlatLayer::new(surroundings, support, spacing);
                     let periodic = layer.periodic;
@@ -132,7 +135,7 @@ impl<const D: usize> Rates<D> {
                 );
             }
             Some(SurfaceTension::TotalVariation(model)) => {
-                let spacing = mean_spacing(&self.fluids, particles);
+                let spacing = self.spacing;
                 let reach = total_variation::REACH * spacing;
                 self.free.find(&self.pairs, reach, particles, &self.walls);
                 let (walls, count, domain) = (&self.walls, self.free.count, self.pairs.domain());
