@@ -2,8 +2,8 @@
 
 use std::fmt;
 
+use crate::domain::Domain;
 use crate::fluid::Fluid;
-use crate::pairs::Domain;
 use crate::particles::Particles;
 use crate::physics::continuity::Continuity;
 use crate::physics::momentum::Momentum;

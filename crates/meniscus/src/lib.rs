@@ -34,7 +34,7 @@
 //! # The tour
 //!
 //! Who simulates needs:
-//! - [`shape`]: bodies, and how particles fill them
+//! - [`shape`]: bodies, and how particles fill them; [`domain`]: which axes repeat
 //! - [`fluid`], [`scheme`], [`kernel`]: what is solved, and with what
 //! - [`setup`], [`simulation`]: the start, and the march in time; [`snapshot`]: to stop and go on;
 //!   [`divergence`]: what a run says that blew up
@@ -43,7 +43,7 @@
 //!
 //! Who adds physics needs:
 //! - [`real`], [`vector`]: the arithmetic that formulas are written in
-//! - [`term`]: a formula for one pair, [`PairTerm`]; [`mod@reference`]: its sum in O(N^2), for tests
+//! - [`term`]: a formula for one pair, [`PairTerm`]; [`smoothing`]: the pair's smoothing length; [`mod@reference`]: its sum in O(N^2), for tests
 //! - [`physics`]: one file per equation; [`rates`]: their order in a step; [`time`]: the integrator
 //!
 //! Who makes it fast needs [`pairs`], the engine, which physics never sees.
@@ -53,6 +53,7 @@
 #![deny(missing_docs)]
 
 pub mod divergence;
+pub mod domain;
 pub mod fluid;
 pub mod kernel;
 pub mod measure;
@@ -66,6 +67,7 @@ pub mod scheme;
 pub mod setup;
 pub mod shape;
 pub mod simulation;
+pub mod smoothing;
 pub mod snapshot;
 pub mod term;
 pub mod theory;
@@ -73,9 +75,10 @@ pub mod time;
 pub mod vector;
 pub mod walls;
 
+pub use domain::Domain;
 pub use fluid::Fluid;
 pub use kernel::Kernel;
-pub use pairs::{Domain, Precision};
+pub use pairs::Precision;
 pub use particles::{Particle, Particles};
 pub use physics::surface_tension::SurfaceTension;
 pub use real::Real;

@@ -2,6 +2,9 @@
 
 use crate::vector::Vector;
 
+/// Rows that one task works on at least, where the work per row is small.
+pub(crate) const ROWS_PER_TASK: usize = 2048;
+
 /// Columns of all particles, SI. Rows are reordered as the flow moves;
 /// [`id`](Self::id) says which particle a row holds.
 #[derive(Clone, Debug, Default)]

@@ -1,9 +1,10 @@
 //! Sums over all pairs, O(N^2): the slow truth that the engine is tested
 //! against, and that a term of your own can be tested against.
 
+use crate::domain::Domain;
 use crate::kernel::Kernel;
-use crate::pairs::{Domain, Smoothing};
 use crate::particles::Particles;
+use crate::smoothing::Smoothing;
 use crate::term::{PairTerm, Record, ScaledKernel};
 use crate::vector::Vector;
 

@@ -5,8 +5,9 @@ mod van_der_waals;
 use std::f64::consts::PI;
 use std::fmt;
 
+use crate::domain::Domain;
 use crate::fluid::Fluid;
-use crate::pairs::{Domain, Precision};
+use crate::pairs::Precision;
 use crate::particles::Particle;
 use crate::physics::body_force::BodyForce;
 use crate::physics::surface_tension::SurfaceTension;

@@ -3,14 +3,16 @@
 use rayon::prelude::*;
 
 use crate::divergence::{Circumstances, Diverged, Failure, check};
+use crate::domain::Domain;
 use crate::fluid::Fluid;
-use crate::pairs::{Domain, Instructions, Pairs, Smoothing};
-use crate::particles::Particles;
+use crate::pairs::{Instructions, Pairs};
+use crate::particles::{Particles, ROWS_PER_TASK};
 use crate::physics::surface_tension::jancik_hyhlik::Surface;
 use crate::physics::van_der_waals::Flow;
-use crate::rates::{Dimension, Force, PairForce, ROWS_PER_TASK, Rates, Space, Table};
+use crate::rates::{Dimension, Force, PairForce, Rates, Space, Table};
 use crate::scheme::{DensityForm, Scheme, TimeStep};
 use crate::setup::{Setup, SetupError, check_density, validate};
+use crate::smoothing::Smoothing;
 use crate::snapshot::Snapshot;
 use crate::term::{PairTerm, Sweep};
 use crate::time::integrator::{drift, kick, kick_drift};

@@ -10,6 +10,7 @@ use std::marker::PhantomData;
 use crate::kernel::{Kernel, SmoothingKernel, with_kernel};
 use crate::particles::Particles;
 use crate::real::Real;
+use crate::smoothing::Smoothing;
 use crate::vector::Vector;
 
 /// A fixed number of reals with names: what a pair reads or adds up.
@@ -359,6 +360,20 @@ pub trait Sweep<const D: usize> {
     /// holds for, and zero for the others.
     fn sweep<T: PairTerm<D>>(
         &mut self,
+        term: &T,
+        particles: &Particles<D>,
+        active: impl Fn(std::ops::Range<usize>) -> bool + Sync,
+        sums: &mut Vec<T::Sum<f64>>,
+    );
+}
+
+/// Sums a term with another smoothing length than the usual.
+pub trait SweepWith<const D: usize>: Sweep<D> {
+    /// [`sweep`](Sweep::sweep) with this smoothing length, which the lists must be long enough for:
+    /// not above the usual one of any pair, or one that they are known to hold.
+    fn sweep_with<T: PairTerm<D>>(
+        &mut self,
+        smoothing: Smoothing,
         term: &T,
         particles: &Particles<D>,
         active: impl Fn(std::ops::Range<usize>) -> bool + Sync,

@@ -3,8 +3,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use crate::domain::Domain;
 use crate::fluid::Fluid;
-use crate::pairs::{Domain, Pairs};
+use crate::pairs::Pairs;
 use crate::particles::Particles;
 use crate::physics::equation_of_state::Tait;
 use crate::physics::surface_tension::balanced::Wetting;

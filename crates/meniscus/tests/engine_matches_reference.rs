@@ -10,13 +10,14 @@
 //! centres of two particles much closer than a spacing feel it.
 
 use meniscus::fluid::Fluid;
-use meniscus::pairs::{Instructions, Pairs, Smoothing};
+use meniscus::pairs::{Instructions, Pairs};
 use meniscus::physics::continuity::Continuity;
 use meniscus::physics::momentum::{Mixture, Momentum, OneFluid, PressureForm};
 use meniscus::physics::surface_tension::curvature::{CorrectedCurvature, Curvature, Weighting};
 use meniscus::physics::surface_tension::gradient::{CorrectedGradient, Gradient, Smoothed};
 use meniscus::physics::viscosity::ViscosityForm;
-use meniscus::term::{Record, Sweep};
+use meniscus::smoothing::Smoothing;
+use meniscus::term::{Record, Sweep, SweepWith};
 use meniscus::{Domain, Kernel, PairTerm, Particle, Particles, Precision, Vector, reference};
 use proptest::prelude::*;
 

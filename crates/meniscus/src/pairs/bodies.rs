@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::images::Domain;
+use crate::domain::Domain;
 use crate::vector::Vector;
 
 /// For each point a number, the same for all that chains of points nearer than `reach` (m)
@@ -111,7 +111,7 @@ fn root(parent: &mut [u32], mut n: u32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::connected;
-    use crate::pairs::Domain;
+    use crate::domain::Domain;
     use crate::vector::Vector;
 
     #[test]

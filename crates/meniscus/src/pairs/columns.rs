@@ -7,7 +7,7 @@ use fearless_simd::Simd;
 
 use super::entries::Entries;
 use super::lane::{Lane, WIDTH};
-use super::smoothing::Reach;
+use super::reach::Reach;
 use crate::real::Real;
 use crate::vector::Vector;
 

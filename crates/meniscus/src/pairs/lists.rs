@@ -15,7 +15,7 @@ use super::columns::Columns;
 use super::entries::Entries;
 use super::lane::{Lane, WIDTH};
 use super::level::{Every, InstructionSets, WithSimd};
-use super::smoothing::Reach;
+use super::reach::Reach;
 use crate::real::Real;
 
 /// Rows that one task works on: a whole number of clusters.

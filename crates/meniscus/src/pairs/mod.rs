@@ -3,15 +3,15 @@
 //!
 //! - `columns`: particles sorted along a snake of columns
 //! - `entries`: memory of the lists
-//! - `lists`: clusters of eight and what is near them
+//! - `lists`: clusters of eight and what is near them; `listing`: when they are built, and until when they hold
 //! - `images`: periodic images
-//! - `smoothing`: the smoothing length of a pair, and how far particles reach
+//! - `reach`: how far particles reach for others
 //! - `second`: lists of another range beside the first
 //! - `lane`: eight particles as one [`Real`](crate::Real), `narrow_lane`: the same in f32
 //! - `arithmetic`: f64, or mixed precision
 //! - `records`: what a sweep reads, packed
 //! - `level`: work compiled for each instruction set
-//! - `sweep`: a term summed over the lists
+//! - `sweep`: a term summed over the lists; `summing`: in which numbers, with which kernel
 //! - `parallel`: loops on all threads
 //! - `buffer`: aligned scratch memory
 //! - `bodies`: which particles hang together
@@ -24,33 +24,30 @@ mod entries;
 mod images;
 mod lane;
 mod level;
+mod listing;
 mod lists;
 mod narrow_lane;
 mod parallel;
+mod reach;
 mod records;
 mod second;
-mod smoothing;
+mod summing;
 mod sweep;
 
 pub use arithmetic::Precision;
-pub use images::Domain;
-pub use smoothing::Smoothing;
 
-use std::ops::Range;
-
-use arithmetic::{Arithmetic, Double, Mixed};
 use buffer::LineBuffer;
 use columns::Columns;
 use fearless_simd::Level;
 use images::Image;
-use level::{Widest, is_fused, is_widest};
+use level::is_fused;
 use lists::Chunk;
-use rayon::prelude::*;
-use smoothing::Reach;
+use reach::Reach;
 
-use crate::kernel::{Kernel, WendlandC2};
-use crate::particles::{Particles, Scratch};
-use crate::term::{PairTerm, Record, ScaledKernel, Sweep};
+use crate::domain::Domain;
+use crate::kernel::Kernel;
+use crate::particles::Scratch;
+use crate::smoothing::Smoothing;
 use crate::vector::Vector;
 
 /// Which instructions the sweeps use.
@@ -186,94 +183,8 @@ impl<const D: usize> Pairs<D> {
         }
     }
 
-    /// Sorts the particles and builds the lists anew.
-    pub fn rebuild(&mut self, particles: &mut Particles<D>) {
-        if self.domain.is_periodic() {
-            for point in &mut particles.position {
-                self.domain.wrap(point);
-            }
-        }
-        self.columns.sort(&particles.position);
-        particles.permute(self.columns.order(), &mut self.scratch);
-        self.reference.clear();
-        self.reference.extend_from_slice(&particles.position);
-        self.list(particles);
-    }
-
-    /// Builds the lists again that [`rebuild`](Self::rebuild) made for sorted
-    /// particles at `reference`, with these smoothing lengths; false if these are not sorted.
-    pub(crate) fn restore(&mut self, particles: &Particles<D>) -> bool {
-        self.columns.sort(&particles.position);
-        self.reference.clone_from(&particles.position);
-        let sorted = (0..).zip(self.columns.order()).all(|(k, &row)| k == row);
-        if sorted {
-            self.list(particles);
-        }
-        sorted
-    }
-
-    fn list(&mut self, particles: &Particles<D>) {
-        self.list_sorted(None, particles);
-        self.follow(particles);
-    }
-
-    /// Builds the lists of particles that are sorted into columns, if not into its own.
-    fn list_sorted(&mut self, columns: Option<&Columns<D>>, particles: &Particles<D>) {
-        self.builds += 1;
-        self.reference_smoothing_length.clear();
-        if self.smoothing_varies() {
-            (self.reference_smoothing_length).extend_from_slice(&particles.smoothing_length);
-        }
-        let mut reach = std::mem::take(&mut self.reach);
-        let columns = columns.unwrap_or(&self.columns);
-        if self.reach_varies() {
-            let of_row = |i| self.support_share(particles, i) + 0.5 * self.skin;
-            reach.fill(columns, (0..particles.len()).map(of_row));
-        } else {
-            reach.fill_same(self.support_share(particles, 0) + 0.5 * self.skin);
-        }
-        self.reach = reach;
-        let farthest = 2.0 * self.reach.largest();
-        images::collect(&self.domain, &self.reference, farthest, &mut self.images);
-        self.image_points.clear();
-        self.image_points.extend(
-            (self.images.iter()).map(|image| self.reference[image.source as usize] + image.shift),
-        );
-        self.image_columns.sort(&self.image_points);
-        let order = self.image_columns.order();
-        self.sorted_images.clear();
-        self.sorted_images
-            .extend(order.iter().map(|&k| self.images[k as usize]));
-        if let Some(same) = self.reach.same() {
-            self.image_reach.fill_same(same);
-        } else {
-            let sources = self.sorted_images.iter().map(|image| image.source as usize);
-            let of_image = sources.map(|source| self.reach.of(source));
-            self.image_reach.fill(&self.image_columns, of_image);
-        }
-        lists::build(
-            self.level,
-            &mut self.chunks,
-            (columns, &self.reach),
-            (&self.image_columns, &self.image_reach),
-        );
-    }
-
-    /// Whether some rows reach farther than others.
-    fn reach_varies(&self) -> bool {
-        let varies = |smoothing| matches!(smoothing, Smoothing::Mean { .. });
-        varies(self.smoothing) || self.also.is_some_and(varies)
-    }
-
-    /// What row `i` adds to the support of its pairs, m.
-    fn support_share(&self, particles: &Particles<D>, i: usize) -> f64 {
-        let share = self.smoothing.share(particles, i);
-        let also = self.also.map_or(share, |also| also.share(particles, i));
-        self.kernel.support() * share.max(also)
-    }
-
     /// Has the next lists hold all pairs of this smoothing length too, for
-    /// [`sweep_with`](Self::sweep_with).
+    /// [`sweep_with`](crate::term::SweepWith::sweep_with).
     pub fn hold_also(&mut self, smoothing: impl Into<Smoothing>) {
         self.also = Some(smoothing.into());
     }
@@ -286,32 +197,6 @@ impl<const D: usize> Pairs<D> {
     /// Sets how far the next lists reach beyond the kernel's support, m.
     pub fn set_skin(&mut self, skin: f64) {
         self.skin = skin;
-    }
-
-    /// Whether particles have moved so far, or smoothing lengths grown so much, that a pair may
-    /// be missing from the lists.
-    pub fn is_stale(&self, particles: &Particles<D>) -> bool {
-        self.reference.len() != particles.len()
-            || !self.is_within_skin(particles)
-            || (self.second.as_ref()).is_some_and(|second| second.is_stale(particles))
-    }
-
-    /// Whether each particle's way from where it was, and what its reach has grown by, are
-    /// together at most half the skin; what is not a number is not.
-    fn is_within_skin(&self, particles: &Particles<D>) -> bool {
-        let varies = self.reach_varies();
-        (particles.position.par_iter(), &self.reference)
-            .into_par_iter()
-            .with_min_len(4096)
-            .enumerate()
-            .all(|(i, (now, reference))| {
-                let left = if varies {
-                    self.reach.of(i) - self.support_share(particles, i)
-                } else {
-                    0.5 * self.skin
-                };
-                left >= 0.0 && (*now - *reference).norm_squared() <= left * left
-            })
     }
 
     /// Positions for which the lists were built.
@@ -332,26 +217,6 @@ impl<const D: usize> Pairs<D> {
     /// Whether the smoothing length varies from pair to pair.
     pub(crate) fn smoothing_varies(&self) -> bool {
         matches!(self.smoothing, Smoothing::Mean { .. })
-    }
-
-    /// For each row the body that it belongs to, and how many there are. Particles of two bodies
-    /// have not been within each other's `support` (m) since the lists were built.
-    /// Rows that do not take part have none.
-    pub(crate) fn bodies(
-        &self,
-        support: f64,
-        takes_part: impl Fn(usize) -> bool,
-    ) -> (Vec<u32>, usize) {
-        let rows: Vec<usize> = (0..self.reference.len())
-            .filter(|&i| takes_part(i))
-            .collect();
-        let points: Vec<_> = rows.iter().map(|&i| self.reference[i]).collect();
-        let (of, count) = bodies::connected(&points, support + self.skin, &self.domain);
-        let mut of_row = vec![u32::MAX; self.reference.len()];
-        for (row, of) in rows.into_iter().zip(of) {
-            of_row[row] = of;
-        }
-        (of_row, count)
     }
 
     /// How often lists were built.
@@ -386,80 +251,6 @@ impl<const D: usize> Pairs<D> {
         lists + records + reach + second + self.reference.capacity() * size_of::<Vector<f64, D>>()
     }
 }
-
-impl<const D: usize> Sweep<D> for Pairs<D> {
-    fn sweep<T: PairTerm<D>>(
-        &mut self,
-        term: &T,
-        particles: &Particles<D>,
-        active: impl Fn(Range<usize>) -> bool + Sync,
-        sums: &mut Vec<T::Sum<f64>>,
-    ) {
-        self.sweep_with(self.smoothing, term, particles, active, sums);
-    }
-}
-
-impl<const D: usize> Pairs<D> {
-    /// [`sweep`](Sweep::sweep) with another smoothing length, which the lists must be long enough for:
-    /// not above that of any pair, or one that they [also hold](Self::hold_also).
-    pub fn sweep_with<T: PairTerm<D>>(
-        &mut self,
-        smoothing: Smoothing,
-        term: &T,
-        particles: &Particles<D>,
-        active: impl Fn(Range<usize>) -> bool + Sync,
-        sums: &mut Vec<T::Sum<f64>>,
-    ) {
-        sums.resize(particles.len(), Record::read(&mut || 0.0));
-        let mut records = std::mem::take(&mut self.records);
-        if T::OFTEN && self.precision() == Precision::Mixed {
-            let support = 2.0 * self.reach.largest() - self.skin;
-            let arithmetic = Mixed::new(support.max(self.skin));
-            let buffer = &mut records.mixed;
-            self.sum_in(
-                arithmetic, smoothing, term, particles, &active, buffer, sums,
-            );
-        } else {
-            let buffer = &mut records.double;
-            self.sum_in(Double, smoothing, term, particles, &active, buffer, sums);
-        }
-        self.records = records;
-    }
-
-    #[allow(clippy::too_many_arguments)]
-    fn sum_in<N: Arithmetic, T: PairTerm<D>>(
-        &self,
-        arithmetic: N,
-        smoothing: Smoothing,
-        term: &T,
-        particles: &Particles<D>,
-        active: Active<'_>,
-        buffer: &mut LineBuffer<N::Packed>,
-        sums: &mut [T::Sum<f64>],
-    ) {
-        let images = &self.sorted_images;
-        let (level, chunks) = (self.level, &self.chunks);
-        let kernel = match smoothing {
-            Smoothing::Constant(h) => ScaledKernel::new(self.kernel, h, D),
-            Smoothing::Mean { .. } => ScaledKernel::varying(self.kernel, D),
-        };
-        let records = records::pack(arithmetic, smoothing, term, particles, images, buffer);
-        let is_default = self.kernel == Kernel::WendlandC2;
-        if T::OFTEN && is_default && !kernel.varies() && is_widest(level) {
-            // The default kernel is worth code of its own.
-            let kernel = kernel.compiled::<WendlandC2>();
-            sweep::run::<Widest, _, _, _, D>(level, term, kernel, chunks, records, active, sums);
-        } else {
-            sweep::run::<N::InstructionSets, _, _, _, D>(
-                level, term, kernel, chunks, records, active, sums,
-            );
-        }
-    }
-}
-
-/// Which ranges of rows are summed: behind a pointer, or each caller's would
-/// have the sweep compiled once more.
-type Active<'a> = &'a (dyn Fn(Range<usize>) -> bool + Sync);
 
 /// Packed records, kept between sweeps.
 #[derive(Debug, Default)]

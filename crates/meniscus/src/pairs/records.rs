@@ -11,8 +11,8 @@ use super::buffer::LineBuffer;
 use super::images::Image;
 use super::lane::WIDTH;
 use super::parallel::for_each_part;
-use super::smoothing::Smoothing;
 use crate::particles::Particles;
+use crate::smoothing::Smoothing;
 use crate::term::{PairTerm, Record};
 
 /// Rows, or images, that one task packs.

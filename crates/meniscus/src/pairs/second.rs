@@ -3,9 +3,10 @@
 //! They are built whenever the first are, for the same places, so that the rows need to be sorted
 //! for the first alone; and the first are built anew where the second no longer hold all pairs.
 
-use super::{Pairs, Smoothing};
+use super::Pairs;
 use crate::kernel::Kernel;
 use crate::particles::Particles;
+use crate::smoothing::Smoothing;
 use crate::term::Sweep;
 
 impl<const D: usize> Pairs<D> {

@@ -8,7 +8,6 @@ use std::ops::Range;
 
 use fearless_simd::{Level, Simd};
 
-use super::Active;
 use super::arithmetic::Arithmetic;
 use super::entries::PADDING;
 use super::lane::WIDTH;
@@ -16,6 +15,7 @@ use super::level::{InstructionSets, WithSimd};
 use super::lists::{Chunk, ROWS_PER_CHUNK};
 use super::parallel::for_each_part;
 use super::records::Records;
+use super::summing::Active;
 use crate::term::{Approach, PairTerm, Record, ScaledKernel, Shape};
 use crate::vector::Vector;
 

@@ -12,9 +12,9 @@
 use rayon::prelude::*;
 
 use super::summation::Summation;
-use crate::pairs::{Pairs, Smoothing};
-use crate::particles::Particles;
-use crate::rates::ROWS_PER_TASK;
+use crate::particles::{Particles, ROWS_PER_TASK};
+use crate::smoothing::Smoothing;
+use crate::term::SweepWith;
 
 /// How smoothing lengths follow density.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,18 +47,18 @@ pub(crate) struct Pilot {
 }
 
 impl AdaptiveSmoothing {
-    /// Gives particles their smoothing lengths, from h_0 in m, which the lists of `pairs` must
+    /// Gives particles their smoothing lengths, from h_0 in m, which `sweep` must
     /// hold too.
     pub(crate) fn adapt<const D: usize>(
         &self,
         smoothing_length: f64,
-        pairs: &mut Pairs<D>,
+        sweep: &mut impl SweepWith<D>,
         particles: &mut Particles<D>,
         pilot: &mut Pilot,
     ) {
         let constant = Smoothing::Constant(smoothing_length);
         let Pilot { density, logarithm } = pilot;
-        pairs.sweep_with(constant, &Summation, particles, |_| true, density);
+        sweep.sweep_with(constant, &Summation, particles, |_| true, density);
         logarithm.resize(density.len(), 0.0);
         (logarithm.par_iter_mut(), &*density)
             .into_par_iter()

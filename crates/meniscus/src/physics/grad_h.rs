@@ -13,11 +13,11 @@
 //! of the geometric mean g. Linear momentum stays exact, since each pair is antisymmetric.
 
 use super::adaptive_smoothing::{AdaptiveSmoothing, Pilot};
-use crate::pairs::{Pairs, Smoothing};
 use crate::particles::Particles;
 use crate::real::Real;
 use crate::record;
-use crate::term::{Pair, PairTerm, Sweep};
+use crate::smoothing::Smoothing;
+use crate::term::{Pair, PairTerm, Sweep, SweepWith};
 use crate::vector::Vector;
 
 /// Sums to zeta, J/(kg m).
@@ -127,7 +127,7 @@ impl<const D: usize> GradH<D> {
         model: &AdaptiveSmoothing,
         smoothing_length: f64,
         pilot: &Pilot,
-        pairs: &mut Pairs<D>,
+        sweep: &mut impl SweepWith<D>,
         particles: &Particles<D>,
         acceleration: &mut [Vector<f64, D>],
     ) {
@@ -147,7 +147,7 @@ impl<const D: usize> GradH<D> {
             stress: &self.stress,
         };
         let constant = Smoothing::Constant(smoothing_length);
-        pairs.sweep_with(constant, &term, particles, |_| true, &mut self.force);
+        sweep.sweep_with(constant, &term, particles, |_| true, &mut self.force);
         for (a, force) in acceleration.iter_mut().zip(&self.force) {
             *a += *force;
         }

@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::{ROWS_PER_TASK, Rates};
-use crate::particles::Particles;
+use super::Rates;
+use crate::particles::{Particles, ROWS_PER_TASK};
 use crate::physics::continuity::{Continuity, CorrectedContinuity, NumberContinuity};
 use crate::physics::summation::Summation;
 use crate::physics::velocity_smoothing::VelocitySmoothing;

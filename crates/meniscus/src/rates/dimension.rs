@@ -2,7 +2,8 @@
 
 use super::Rates;
 use crate::divergence::{self, Culprit};
-use crate::pairs::{Domain, Pairs};
+use crate::domain::Domain;
+use crate::pairs::Pairs;
 use crate::particles::Particles;
 
 /// The dimensions that the library is compiled for: `Space` implements this

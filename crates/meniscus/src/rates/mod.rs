@@ -42,9 +42,6 @@ use crate::vector::Vector;
 use crate::walls::Walls;
 use van_der_waals::Cohesive;
 
-/// Rows that one task works on at least, where the work per row is small.
-pub(crate) const ROWS_PER_TASK: usize = 2048;
-
 /// The right-hand sides of a scheme, with the columns they need on the way.
 pub(crate) struct Rates<const D: usize> {
     pub(crate) scheme: Scheme,

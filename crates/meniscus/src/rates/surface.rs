@@ -1,7 +1,8 @@
 //! Forces by surface tension.
 
 use super::Rates;
-use crate::pairs::{Domain, Pairs};
+use crate::domain::Domain;
+use crate::pairs::Pairs;
 use crate::particles::Particles;
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::balanced;

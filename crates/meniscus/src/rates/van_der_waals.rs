@@ -1,10 +1,11 @@
 //! A van der Waals fluid, with the lists of its long range.
 
 use crate::fluid::Fluid;
-use crate::pairs::{Pairs, Smoothing};
+use crate::pairs::Pairs;
 use crate::particles::Particles;
 use crate::physics::van_der_waals::{Flow, VanDerWaals};
 use crate::scheme::Scheme;
+use crate::smoothing::Smoothing;
 
 /// The fluid, whose far pairs are those of the second lists.
 pub(crate) struct Cohesive<const D: usize> {

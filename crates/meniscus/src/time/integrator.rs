@@ -25,8 +25,7 @@
 
 use rayon::prelude::*;
 
-use crate::particles::Particles;
-use crate::rates::ROWS_PER_TASK;
+use crate::particles::{Particles, ROWS_PER_TASK};
 
 /// Steps 1 and 2.
 pub(crate) fn kick_drift<const D: usize>(particles: &mut Particles<D>, dt: f64, damping: f64) {

@@ -8,7 +8,7 @@
 //! in the wall. There the part along the wall is taken off; on other walls, nothing.
 
 use super::matrix::Matrix;
-use crate::pairs::Domain;
+use crate::domain::Domain;
 use crate::particles::Particles;
 use crate::vector::Vector;
 

@@ -34,7 +34,7 @@ use rayon::prelude::*;
 
 use super::bodies::{Bodies, balance};
 use super::surface::Surface;
-use crate::pairs::Domain;
+use crate::domain::Domain;
 use crate::particles::Particles;
 use crate::vector::Vector;
 use energy::{Calibrated, Node, Slopes};
