@@ -1,4 +1,4 @@
-//! The pair engine. Physics never sees it: a [`PairTerm`]
+//! The pair engine. Physics never sees it: a [`PairTerm`](crate::PairTerm)
 //! comes in, one sum per particle goes out.
 //!
 //! - `columns`: particles sorted along a snake of columns

@@ -6,16 +6,15 @@
 //! D rho_i / Dt = m_i sum_j (v_i - v_j) . grad W_ij, Ott and Schnetter (2003),
 //! physics/0303112; Qiang, Chen and Gao, eq. 8: by the number of neighbours, whatever
 //! their volume. Both are exact for a rigid motion, also at a free surface. With the
-//! velocity gradient corrected as in [`super::surface_tension::gradient`] (CSPM; Chen, Beraun and
-//! Carney 1999) it is exact for any linear motion, and a free surface is compressed no less
+//! velocity gradient corrected ([`super::velocity_gradient`]) it is exact for any linear motion, and a free surface is compressed no less
 //! than the inside:
 //!
 //! D rho_i / Dt = -rho_i trace(G_i A_i^-1),   G_i = sum_j V_j (v_j - v_i) grad W_ij,
 //! A_i = sum_j V_j (x_j - x_i) grad W_ij
 
 use crate::particles::Particles;
+use crate::physics::surface_tension::curvature::CorrectableDivergence;
 use crate::physics::surface_tension::gradient::{LEAST_FILLING, LEAST_MATRIX};
-use crate::physics::surface_tension::matrix::Matrix;
 use crate::real::Real;
 use crate::record;
 use crate::term::{Pair, PairTerm};
@@ -72,56 +71,17 @@ impl<const D: usize> PairTerm<D> for NumberContinuity {
     }
 }
 
-/// The corrected form: sums to G and A.
-#[derive(Clone, Copy, Debug)]
-pub struct CorrectedContinuity;
-
-record! {
-    /// The gradient of velocity and what it must be divided by.
-    pub struct VelocityGradient<R, D> {
-        /// G, 1/s
-        gradient: Matrix<R, D>,
-        /// A
-        matrix: Matrix<R, D>,
-    }
+/// (1/rho) D rho / Dt, 1/s, as [`Continuity`] finds it, of the sums of
+/// [`VelocityGradient`](super::velocity_gradient::VelocityGradient).
+pub fn plain<const D: usize>(sum: &CorrectableDivergence<f64, D>) -> f64 {
+    -sum.gradient.trace()
 }
 
-impl<const D: usize> PairTerm<D> for CorrectedContinuity {
-    type Record<R: Real> = Moving<R, D>;
-    type Sum<R: Real> = VelocityGradient<R, D>;
-
-    fn record(&self, particles: &Particles<D>, i: usize) -> Moving<f64, D> {
-        Continuity.record(particles, i)
-    }
-
-    #[inline(always)]
-    fn pair<R: Real>(
-        &self,
-        i: &Moving<R, D>,
-        j: &Moving<R, D>,
-        ij: &Pair<R, D>,
-        sum: &mut VelocityGradient<R, D>,
-    ) {
-        let weighted = ij.grad_w * j.volume;
-        sum.gradient
-            .add_outer(&(j.velocity - i.velocity), &weighted);
-        // x_j - x_i is minus the offset.
-        sum.matrix.add_outer(&-ij.offset, &weighted);
-    }
-}
-
-impl<const D: usize> VelocityGradient<f64, D> {
-    /// (1/rho) D rho / Dt, 1/s, as [`Continuity`] finds it.
-    pub fn plain(&self) -> f64 {
-        -self.gradient.trace()
-    }
-
-    /// (1/rho) D rho / Dt, 1/s; less where so few neighbours are left that it would be mostly
-    /// correction.
-    pub fn corrected(&self) -> f64 {
-        let filling = self.matrix.trace() / D as f64;
-        let trust = (filling / LEAST_FILLING).clamp(0.0, 1.0);
-        let inverse = self.matrix.inverse(LEAST_MATRIX);
-        -trust * self.gradient.trace_of_product(&inverse)
-    }
+/// The corrected (1/rho) D rho / Dt, 1/s; less where so few neighbours are left that it would be
+/// mostly correction.
+pub fn corrected<const D: usize>(sum: &CorrectableDivergence<f64, D>) -> f64 {
+    let filling = sum.matrix.trace() / D as f64;
+    let trust = (filling / LEAST_FILLING).clamp(0.0, 1.0);
+    let inverse = sum.matrix.inverse(LEAST_MATRIX);
+    -trust * sum.gradient.trace_of_product(&inverse)
 }

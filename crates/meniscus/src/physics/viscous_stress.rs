@@ -13,89 +13,15 @@
 //! Brookshaw's short forms ([`super::viscosity`]) need one sweep, and damp motion
 //! at the scale of particles, which this form hardly sees.
 
-use super::continuity::{Continuity, Moving};
+use super::stress_divergence::{StressDivergence, Weight};
 use super::surface_tension::curvature::CorrectableDivergence;
 use super::surface_tension::gradient::LEAST_MATRIX;
 use super::surface_tension::matrix::Matrix;
+use super::velocity_gradient::VelocityGradient;
 use crate::fluid::Fluid;
 use crate::particles::Particles;
-use crate::real::Real;
-use crate::record;
-use crate::term::{Pair, PairTerm, Sweep};
+use crate::term::Sweep;
 use crate::vector::Vector;
-
-/// Sums to the gradient of velocity, and to A.
-#[derive(Clone, Copy, Debug)]
-pub struct VelocityGradient;
-
-impl<const D: usize> PairTerm<D> for VelocityGradient {
-    type Record<R: Real> = Moving<R, D>;
-    type Sum<R: Real> = CorrectableDivergence<R, D>;
-    const OFTEN: bool = false;
-
-    fn record(&self, particles: &Particles<D>, i: usize) -> Moving<f64, D> {
-        Continuity.record(particles, i)
-    }
-
-    #[inline(always)]
-    fn pair<R: Real>(
-        &self,
-        i: &Moving<R, D>,
-        j: &Moving<R, D>,
-        ij: &Pair<R, D>,
-        sum: &mut CorrectableDivergence<R, D>,
-    ) {
-        let weighted = ij.grad_w * j.volume;
-        sum.gradient
-            .add_outer(&(j.velocity - i.velocity), &weighted);
-        // x_j - x_i is minus the offset.
-        sum.matrix.add_outer(&-weighted, &ij.offset);
-    }
-}
-
-/// Sums to rho a, N/m^3.
-#[derive(Clone, Copy, Debug)]
-pub struct StressDivergence<'a, const D: usize> {
-    /// S of each particle, Pa.
-    pub stress: &'a [Matrix<f64, D>],
-}
-
-record! {
-    /// S and V.
-    pub struct Stressed<R, D> {
-        /// S, Pa
-        stress: Matrix<R, D>,
-        /// V, m^D
-        volume: R,
-    }
-}
-
-impl<const D: usize> PairTerm<D> for StressDivergence<'_, D> {
-    type Record<R: Real> = Stressed<R, D>;
-    type Sum<R: Real> = Vector<R, D>;
-    const OFTEN: bool = false;
-
-    fn record(&self, particles: &Particles<D>, i: usize) -> Stressed<f64, D> {
-        Stressed {
-            stress: self.stress[i],
-            volume: particles.volume(i),
-        }
-    }
-
-    #[inline(always)]
-    fn pair<R: Real>(
-        &self,
-        i: &Stressed<R, D>,
-        j: &Stressed<R, D>,
-        ij: &Pair<R, D>,
-        sum: &mut Vector<R, D>,
-    ) {
-        let weighted = ij.grad_w * j.volume;
-        for d in 0..D {
-            sum.0[d] = sum.0[d] + (i.stress.0[d] + j.stress.0[d]).dot(&weighted);
-        }
-    }
-}
 
 /// Columns that the force needs on its way.
 #[derive(Debug, Default)]
@@ -133,7 +59,10 @@ impl<const D: usize> ViscousStress<D> {
                 }),
         );
         let stress = &self.stress;
-        let term = StressDivergence { stress };
+        let term = StressDivergence {
+            stress,
+            weight: Weight::Volume,
+        };
         sweep.sweep(&term, particles, |_| true, &mut self.force);
         for ((a, force), density) in
             (acceleration.iter_mut().zip(&self.force)).zip(&particles.density)

@@ -4,8 +4,9 @@ use rayon::prelude::*;
 
 use super::Rates;
 use crate::particles::{Particles, ROWS_PER_TASK};
-use crate::physics::continuity::{Continuity, CorrectedContinuity, NumberContinuity};
+use crate::physics::continuity::{self, Continuity, NumberContinuity};
 use crate::physics::summation::Summation;
+use crate::physics::velocity_gradient::VelocityGradient;
 use crate::physics::velocity_smoothing::VelocitySmoothing;
 use crate::scheme::DensityForm;
 use crate::term::Sweep;
@@ -67,7 +68,7 @@ impl<const D: usize> Rates<D> {
             DensityForm::Corrected => {
                 let sums = &mut self.velocity_gradients;
                 self.pairs
-                    .sweep(&CorrectedContinuity, particles, |_| true, sums);
+                    .sweep(&VelocityGradient, particles, |_| true, sums);
                 let walls = &self.walls;
                 rates.resize(particles.len(), 0.0);
                 (rates.par_iter_mut(), &*sums, &particles.body)
@@ -76,9 +77,9 @@ impl<const D: usize> Rates<D> {
                     .for_each(|(rate, sum, &body)| {
                         // What walls do to the fluid is the adjoint of the plain sum.
                         *rate = if walls.is_wall(body) {
-                            sum.plain()
+                            continuity::plain(sum)
                         } else {
-                            sum.corrected()
+                            continuity::corrected(sum)
                         };
                     });
             }

@@ -21,7 +21,6 @@ use crate::fluid::Fluid;
 use crate::pairs::Pairs;
 use crate::particles::Particles;
 use crate::physics::adaptive_smoothing::Pilot;
-use crate::physics::continuity::VelocityGradient;
 use crate::physics::density_diffusion::Diffusing;
 use crate::physics::equation_of_state::Tait;
 use crate::physics::grad_h::GradH;
@@ -30,6 +29,7 @@ use crate::physics::momentum::{
 };
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::balanced::Wetting;
+use crate::physics::surface_tension::curvature::CorrectableDivergence;
 use crate::physics::surface_tension::pairwise::Pull;
 use crate::physics::surface_tension::pairwise::estimate::Resolution;
 use crate::physics::surface_tension::surface::Surface;
@@ -71,7 +71,7 @@ pub(crate) struct Rates<const D: usize> {
     one_mass: Option<f64>,
     scalars: Vec<f64>,
     vectors: Vec<Vector<f64, D>>,
-    velocity_gradients: Vec<VelocityGradient<f64, D>>,
+    velocity_gradients: Vec<CorrectableDivergence<f64, D>>,
 }
 
 impl<const D: usize> Rates<D> {

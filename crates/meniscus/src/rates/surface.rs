@@ -25,45 +25,30 @@ pub(super) struct FreeBodies {
 }
 
 impl FreeBodies {
-    /// Whether what is known is of these lists; from now on it is.
-    fn is_current<const D: usize>(&mut self, pairs: &Pairs<D>) -> bool {
-        self.built.replace(pairs.builds()) == Some(pairs.builds())
-    }
-
-    /// Finds those of the liquid alone, whether a wall holds it or not, anew where lists are new.
-    fn find_liquid<const D: usize>(
-        &mut self,
-        pairs: &Pairs<D>,
-        support: f64,
-        particles: &Particles<D>,
-        walls: &Walls<D>,
-    ) {
-        if self.is_current(pairs) {
-            return;
-        }
-        let is_liquid = |row: usize| !walls.is_wall(particles.body[row]);
-        (self.of_row, self.count) = pairs.bodies(support, is_liquid);
-    }
-
-    /// Finds those of liquid and walls, and which no wall holds, anew where lists are new.
+    /// Finds them anew where lists are new: those of the liquid, and of walls too where these `join` what
+    /// they touch, and which of them no wall holds.
     fn find<const D: usize>(
         &mut self,
         pairs: &Pairs<D>,
         support: f64,
         particles: &Particles<D>,
         walls: &Walls<D>,
+        join: bool,
     ) {
-        if self.is_current(pairs) {
+        if self.built.replace(pairs.builds()) == Some(pairs.builds()) {
             return;
         }
-        (self.groups, self.count) = pairs.bodies(support, |_| true);
+        let is_wall = |row: usize| walls.is_wall(particles.body[row]);
+        (self.groups, self.count) = pairs.bodies(support, |row| join || !is_wall(row));
         self.of_row.clone_from(&self.groups);
         let mut held = vec![false; self.count];
-        for (body, &of) in particles.body.iter().zip(&self.of_row) {
-            held[of as usize] |= walls.is_wall(*body);
+        for (row, &of) in self.groups.iter().enumerate() {
+            if let Some(held) = held.get_mut(of as usize) {
+                *held |= is_wall(row);
+            }
         }
         for of in &mut self.of_row {
-            if held[*of as usize] {
+            if held.get(*of as usize) == Some(&true) {
                 *of = u32::MAX;
             }
         }
@@ -114,7 +99,7 @@ impl<const D: usize> Rates<D> {
             Some(SurfaceTension::Balanced(model)) => {
                 let support = self.scheme.kernel.support() * smoothing_length;
                 self.free
-                    .find_liquid(&self.pairs, support, particles, &self.walls);
+                    .find(&self.pairs, support, particles, &self.walls, false);
                 let surroundings = balanced::Surroundings {
                     surface_tension: self.fluids[0].surface_tension,
                     kernel: self.scheme.kernel,
@@ -138,7 +123,8 @@ impl<const D: usize> Rates<D> {
             Some(SurfaceTension::TotalVariation(model)) => {
                 let spacing = self.spacing;
                 let reach = total_variation::REACH * spacing;
-                self.free.find(&self.pairs, reach, particles, &self.walls);
+                self.free
+                    .find(&self.pairs, reach, particles, &self.walls, true);
                 let (walls, count, domain) = (&self.walls, self.free.count, self.pairs.domain());
                 let surroundings = total_variation::Surroundings {
                     surface_tension: self.fluids[0].surface_tension,

@@ -8,10 +8,10 @@ mod momentum;
 mod ripples;
 mod wetting;
 
-use common::{fluid, noise};
+use common::{fluid, strewn};
 use meniscus::physics::surface_tension::balanced::Balanced;
 use meniscus::scheme::{DensityForm, PressureForm, SurfaceTension};
-use meniscus::{Domain, Particle, Setup, Vector};
+use meniscus::{Domain, Setup, Vector};
 
 /// A ball of unit density and tension, `radius` spacings of one, cut from a square lattice and
 /// jittered by a part of a spacing; of this viscosity.
@@ -21,24 +21,10 @@ fn ball<const D: usize>(
     jitter: f64,
     viscosity: f64,
 ) -> Setup<D> {
-    let half = radius.ceil() as i64 + 1;
-    let side = 2 * half;
-    let particles = (0..side.pow(D as u32)).filter_map(|k| {
-        let offset: Vector<f64, D> = Vector(std::array::from_fn(|d| {
-            (k / side.pow(d as u32) % side - half) as f64 + 0.5
-        }));
-        let shift = Vector(std::array::from_fn(|d| {
-            jitter * noise(7 * k + 31 * d as i64 + 1)
-        }));
-        (offset.norm() < radius).then_some(Particle {
-            position: centre + offset + shift,
-            velocity: Vector::ZERO,
-            mass: 1.0,
-            fluid: 0,
-            body: 0,
-        })
-    });
-    let particles = particles.collect();
+    let mut particles = strewn(radius, jitter, |x| x.norm() < radius);
+    for particle in &mut particles {
+        particle.position += centre;
+    }
     let mut scheme = common::scheme(1.0);
     scheme.density = DensityForm::Corrected;
     scheme.pressure = PressureForm::OverDensityProduct;

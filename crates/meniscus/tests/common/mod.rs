@@ -79,6 +79,33 @@ pub fn noise(k: i64) -> f64 {
     2.0 * (x - x.floor()) - 1.0
 }
 
+/// Particles of unit mass where `inside` says, out of a square or cubic lattice of spacing one within `reach` of
+/// the origin, which is a corner of cells; jittered by a part of a spacing.
+pub fn strewn<const D: usize>(
+    reach: f64,
+    jitter: f64,
+    inside: impl Fn(Vector<f64, D>) -> bool,
+) -> Vec<Particle<D>> {
+    let half = reach.ceil() as i64 + 1;
+    let side = 2 * half;
+    let particles = (0..side.pow(D as u32)).filter_map(|k| {
+        let place: Vector<f64, D> = Vector(std::array::from_fn(|d| {
+            (k / side.pow(d as u32) % side - half) as f64 + 0.5
+        }));
+        let shift = Vector(std::array::from_fn(|d| {
+            jitter * noise(7 * k + 31 * d as i64 + 1)
+        }));
+        inside(place).then_some(Particle {
+            position: place + shift,
+            velocity: Vector::ZERO,
+            mass: 1.0,
+            fluid: 0,
+            body: 0,
+        })
+    });
+    particles.collect()
+}
+
 /// An ellipse or ellipsoid, semi-axis 1.25 along x and 1 along the others,
 /// cut from a cubic lattice that is shifted and jittered, with surface tension.
 pub fn free_drop<const D: usize>(spacing: f64, jitter: f64) -> Setup<D> {

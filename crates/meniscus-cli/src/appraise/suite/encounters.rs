@@ -8,41 +8,9 @@ use crate::appraise::trial::{Beside, Evidence, Flow, Reading, Trial};
 /// What has no number of its own to meet: that it ends, keeps its momentum, and leaves what it should.
 pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
     let mut trials = Vec::new();
-    for &(dimension, resolution) in effort.of(&[(2, 10), (3, 7)], 2) {
-        for &start in &[Start::Lattice, Start::Jittered(1)] {
-            let trial = |test, flow, readings| Trial {
-                test,
-                model,
-                dimension,
-                resolution,
-                variant: String::new(),
-                start,
-                flow,
-                readings,
-            };
-            let flow = merging(dimension, resolution);
-            trials.push(trial(
-                "two drops merge",
-                flow,
-                vec![drift(), largest_change()],
-            ));
-            trials.push(trial(
-                "five drops apart",
-                apart(dimension),
-                vec![
-                    drift(),
-                    Reading {
-                        quantity: "largest drift of one drop",
-                        unit: "",
-                        bar: Some(1e-12),
-                        read: drift_of_bodies,
-                    },
-                ],
-            ));
-        }
-    }
-    for &start in &[Start::Lattice, Start::Jittered(1)] {
-        let trial = |test, dimension, resolution, flow, readings| Trial {
+    let starts = [Start::Lattice, Start::Jittered(1)];
+    let mut add = |test, dimension, resolution, start, flow, readings| {
+        trials.push(Trial {
             test,
             model,
             dimension,
@@ -51,15 +19,48 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
             start,
             flow,
             readings,
-        };
-        trials.push(trial(
+        });
+    };
+    for &(dimension, resolution) in effort.of(&[(2, 10), (3, 7)], 2) {
+        for start in starts {
+            let readings = vec![drift(), largest_change()];
+            let flow = merging(dimension, resolution);
+            add(
+                "two drops merge",
+                dimension,
+                resolution,
+                start,
+                flow,
+                readings,
+            );
+            let of_one = Reading {
+                quantity: "largest drift of one drop",
+                unit: "",
+                bar: Some(1e-12),
+                read: drift_of_bodies,
+            };
+            let readings = vec![drift(), of_one];
+            let flow = apart(dimension);
+            add(
+                "five drops apart",
+                dimension,
+                resolution,
+                start,
+                flow,
+                readings,
+            );
+        }
+    }
+    for start in starts {
+        add(
             "thread breaks",
             3,
             5,
+            start,
             thread(),
             vec![largest_change()],
-        ));
-        trials.push(trial("splash", 2, 10, splash(), vec![largest_change()]));
+        );
+        add("splash", 2, 10, start, splash(), vec![largest_change()]);
     }
     trials
 }

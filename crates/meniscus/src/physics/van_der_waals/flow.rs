@@ -11,9 +11,9 @@ use super::cohesion::{Cohesion, Surrounding};
 use super::gradient::{GradientSums, Gradients};
 use super::heat::{Heat, Warmth};
 use super::model::{Conduction, VanDerWaals};
-use super::stress::Stress;
 use crate::kernel::Kernel;
 use crate::particles::Particles;
+use crate::physics::stress_divergence::{StressDivergence, Weight};
 use crate::physics::surface_tension::matrix::Matrix;
 use crate::term::Sweep;
 use crate::vector::Vector;
@@ -104,8 +104,9 @@ impl<const D: usize> Flow<D> {
         };
         near.sweep(&term, particles, |_| true, &mut self.gradients);
         self.find_stress(particles);
-        let term = Stress {
+        let term = StressDivergence {
             stress: &self.stress,
+            weight: Weight::Mass,
         };
         near.sweep(&term, particles, |_| true, &mut self.pushes);
         let strength = 2.0 * self.model.substance.cohesion;
@@ -147,7 +148,8 @@ impl<const D: usize> Flow<D> {
         }
     }
 
-    /// S / rho^2 and q / rho^2 of each particle.
+    /// S / rho^2 and q / rho^2 of each particle (Sigalotti, Daza and Donoso, eqs. 3 and 5), with the repulsive
+    /// part p of the pressure alone: S = -p I + eta (G + G^T) + (zeta - 2/D eta) trace(G) I.
     fn find_stress(&mut self, particles: &Particles<D>) {
         let VanDerWaals {
             substance,

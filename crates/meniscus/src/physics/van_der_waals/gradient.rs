@@ -3,7 +3,7 @@
 //! - G_i      = 1/rho_i sum_j m_j (v_j - v_i) grad W_ij
 //! - grad T_i = 1/rho_i sum_j m_j (T_j - T_i) grad W_ij
 //!
-//! with the density of i. So the sums of [`super::stress`] are their adjoints: the work of the
+//! with the density of i. So the sums of [`stress_divergence`](crate::physics::stress_divergence) are their adjoints: the work of the
 //! stress is sum_i V_i S_i : G_i, and the viscous part of it is never negative.
 
 use crate::particles::Particles;

@@ -13,8 +13,8 @@
 //! A kick changes the velocity while it works. Its heat is that of the mean velocity, which
 //! differs from v by a multiple of the acceleration: the second sum has that in place of velocity.
 
-use super::stress::Stressed;
 use crate::particles::Particles;
+use crate::physics::stress_divergence::Stressed;
 use crate::physics::surface_tension::matrix::Matrix;
 use crate::real::Real;
 use crate::record;
@@ -74,7 +74,7 @@ impl<const D: usize> PairTerm<D> for Heat<'_, D> {
     fn record(&self, particles: &Particles<D>, i: usize) -> Warming<f64, D> {
         Warming {
             stressed: Stressed {
-                mass: particles.mass[i],
+                weight: particles.mass[i],
                 stress: self.stress[i],
             },
             specific_volume: 1.0 / particles.density[i],
@@ -93,7 +93,7 @@ impl<const D: usize> PairTerm<D> for Heat<'_, D> {
         ij: &Pair<R, D>,
         sum: &mut Warmth<R, D>,
     ) {
-        let weighted = ij.grad_w * j.stressed.mass;
+        let weighted = ij.grad_w * j.stressed.weight;
         let mut push = weighted;
         for d in 0..D {
             push.0[d] = i.stressed.stress.0[d].dot(&weighted);
@@ -104,7 +104,7 @@ impl<const D: usize> PairTerm<D> for Heat<'_, D> {
             * (2.0 * self.conductivity);
         let flow = exchange - (i.flux + j.flux).dot(&ij.grad_w);
         let work = (j.velocity - i.velocity).dot(&push);
-        sum.heat = sum.heat + work + flow * j.stressed.mass;
+        sum.heat = sum.heat + work + flow * j.stressed.weight;
         sum.gain = sum.gain + (j.acceleration - i.acceleration).dot(&push);
     }
 }

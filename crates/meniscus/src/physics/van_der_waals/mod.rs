@@ -9,7 +9,6 @@
 //! - [`substance`]: equation of state, in SI and by the critical point
 //! - [`model`]: all that a scheme states of such a fluid
 //! - [`gradient`]: gradients of velocity and temperature
-//! - [`stress`]: the force of the stress
 //! - [`heat`]: what it warms, and conduction
 //! - [`cohesion`]: the force between far pairs, and its energy
 //! - [`flow`]: their order in a step
@@ -19,7 +18,6 @@ pub mod flow;
 pub mod gradient;
 pub mod heat;
 pub mod model;
-pub mod stress;
 pub mod substance;
 
 pub use flow::Flow;

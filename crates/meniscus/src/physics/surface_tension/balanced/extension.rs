@@ -4,6 +4,7 @@
 //! - for all particles at once: sum_j V_j f_j W_ij, sum_j V_j (f_j - f_i) grad W_ij, and
 //! - the push sum_j V_j (b - r_ij)+ x_ij / r_ij of neighbours nearer than b
 
+use super::super::gradient::{Gradient, Valued};
 use crate::particles::Particles;
 use crate::real::Real;
 use crate::record;
@@ -45,16 +46,6 @@ pub struct Extension<'a> {
 }
 
 record! {
-    /// V and f.
-    pub struct Valued<R, D> {
-        /// V, m^D
-        volume: R,
-        /// f
-        value: R,
-    }
-}
-
-record! {
     /// Sums about a particle.
     pub struct Extended<R, D> {
         /// sum V f W
@@ -71,10 +62,10 @@ impl<const D: usize> PairTerm<D> for Extension<'_> {
     type Sum<R: Real> = Extended<R, D>;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Valued<f64, D> {
-        Valued {
-            volume: particles.volume(i),
-            value: self.values[i],
+        Gradient {
+            values: self.values,
         }
+        .record(particles, i)
     }
 
     #[inline(always)]

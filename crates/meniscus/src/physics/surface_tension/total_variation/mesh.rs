@@ -13,6 +13,9 @@ const LAYERS_PER_TASK: usize = 8;
 /// Particles that one task works on at least.
 const PARTICLES_PER_TASK: usize = 512;
 
+/// Nodes from the origin beyond which no point is looked for.
+const FARTHEST: f64 = 1e12;
+
 /// Nodes around some points.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mesh<const D: usize> {
@@ -61,7 +64,8 @@ struct Touched<const D: usize> {
 }
 
 impl<const D: usize> Mesh<D> {
-    /// The mesh that reaches `margin` nodes beyond all points; none without a point.
+    /// The mesh that reaches `margin` nodes beyond all points; none without a point, or with one at no place
+    /// or out of all bounds, as of a flow that blows up.
     pub fn around(
         points: impl Iterator<Item = Vector<f64, D>>,
         spacing: f64,
@@ -70,6 +74,10 @@ impl<const D: usize> Mesh<D> {
         let mut low = [i64::MAX; D];
         let mut high = [i64::MIN; D];
         for x in points {
+            // A NaN is not less.
+            if !x.0.iter().all(|x| x.abs() < FARTHEST * spacing) {
+                return None;
+            }
             for d in 0..D {
                 let node = (x[d] / spacing).floor() as i64;
                 low[d] = low[d].min(node);
@@ -313,6 +321,14 @@ impl<const D: usize> Layered<D> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn points_at_no_place_have_no_mesh() {
+        for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
+            let points = [Vector([0.0, 1.0]), Vector([x, 0.0])];
+            assert!(Mesh::around(points.into_iter(), 1.0, 5).is_none());
+        }
+    }
 
     /// A few points spread what they have, and feel the gradient of the same splines.
     #[test]
