@@ -5,6 +5,7 @@ use std::path::Path;
 use meniscus::scheme::{Fluid, Scheme};
 use meniscus::{Domain, Particle, Setup, Vector};
 
+use crate::coefficients::{Coefficients, Given};
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::grammar::{Deformation, Measure, Output};
 use crate::resolve::resolve;
@@ -44,6 +45,8 @@ pub struct Case {
     pub measure: Measure,
     /// The speeds that the case shows, from which sound speeds are chosen.
     pub speeds: SpeedScales,
+    /// Which numbers the file states itself.
+    pub given: Given,
     /// What may not be as meant.
     pub warnings: Diagnostics,
     pub(crate) particles: Vec<Particle<3>>,
@@ -71,6 +74,14 @@ impl Case {
     /// # Errors
     /// Everything that is wrong with the file, or that it cannot be read.
     pub fn from_file(path: &Path) -> Result<Self, Diagnostics> {
+        Self::from_file_with(path, &Coefficients::default())
+    }
+
+    /// Reads a case file, with coefficients that were measured where it gives none.
+    ///
+    /// # Errors
+    /// As [`from_file`](Self::from_file).
+    pub fn from_file_with(path: &Path, measured: &Coefficients) -> Result<Self, Diagnostics> {
         let shown = path.display().to_string();
         let source = std::fs::read(path)
             .map_err(|error| error.to_string())
@@ -78,7 +89,7 @@ impl Case {
                 String::from_utf8(bytes).map_err(|error| format!("not UTF-8 text: {error}"))
             });
         match source {
-            Ok(source) => Self::from_str(&shown, &source),
+            Ok(source) => Self::from_str_with(&shown, &source, measured),
             Err(reason) => {
                 let problem = Diagnostic {
                     severity: Severity::Error,
@@ -97,7 +108,19 @@ impl Case {
     /// # Errors
     /// Everything that is wrong with the text.
     pub fn from_str(name: &str, source: &str) -> Result<Self, Diagnostics> {
-        resolve(name, source)
+        Self::from_str_with(name, source, &Coefficients::default())
+    }
+
+    /// Reads a case from text, with coefficients that were measured where it gives none.
+    ///
+    /// # Errors
+    /// As [`from_str`](Self::from_str).
+    pub fn from_str_with(
+        name: &str,
+        source: &str,
+        measured: &Coefficients,
+    ) -> Result<Self, Diagnostics> {
+        resolve(name, source, measured)
     }
 
     /// The particles at the start, those of walls last. `D` is the case's dimension.

@@ -26,7 +26,7 @@
 //! assert!(wrong.to_string().contains("did you mean `spacing`?"));
 //! ```
 //!
-//! - `case`: the resolved case
+//! - `case`: the resolved case; `coefficients`: what it leaves to be measured
 //! - `grammar`: what may stand in a file
 //! - `read`: how a file is read, and its schema written, by one walk
 //! - `resolve`, `bodies`, `walls`, `overlap`, `speed`, `memory`: from the file to particles, and whether they make sense
@@ -36,6 +36,7 @@
 mod adaptive_smoothing;
 mod bodies;
 mod case;
+mod coefficients;
 mod diagnostic;
 mod doubts;
 mod grammar;
@@ -51,6 +52,7 @@ mod units;
 mod walls;
 
 pub use case::{Body, Case};
+pub use coefficients::{Coefficients, Given};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use grammar::{
     Arc, ContactAngle, Crown, Deformation, Hydrostatics, Measure, Oscillation, Output, Sensor,

@@ -88,6 +88,32 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
             Some(_) => {}
         }
     }
+    let by_tension = model.is_some() && !has_gamma(draft);
+    let factors = (draft.fluids.iter().map(|fluid| &fluid.cohesion_factor_span))
+        .chain(draft.walls.iter().map(|wall| &wall.adhesion_factor_span));
+    for span in factors.flatten().filter(|_| !by_tension) {
+        say(
+            Severity::Error,
+            span,
+            "there is nothing that this could be a factor of".into(),
+            "only pairwise forces whose strength follows from surface tension have it",
+            "leave it out, or choose surface_tension = \"akinci\" under [physics], without `gamma`",
+        );
+    }
+    for wall in &draft.walls {
+        if let (Some(span), false) = (
+            &wall.adhesion_factor_span,
+            matches!(wall.adhesion, Adhesion::ContactAngle(_)),
+        ) {
+            say(
+                Severity::Error,
+                span,
+                "there is nothing that this could be a factor of".into(),
+                "the wall has no contact_angle",
+                "give one, or leave this out",
+            );
+        }
+    }
     if has_gamma(draft) {
         for fluid in &draft.fluids {
             if let (true, Some(span)) = (

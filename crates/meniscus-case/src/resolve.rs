@@ -9,6 +9,7 @@ use toml::de::{DeTable, DeValue};
 use crate::adaptive_smoothing;
 use crate::bodies::{Filled, fill_all};
 use crate::case::Case;
+use crate::coefficients::{Coefficients, Given};
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::doubts::doubts;
 use crate::grammar::{Draft, document};
@@ -17,7 +18,11 @@ use crate::read::{Context, Echo, Node};
 use crate::speed::{SpeedScales, default_sound_speed};
 use crate::walls::largest_speed;
 
-pub(crate) fn resolve(name: &str, source: &str) -> Result<Case, Diagnostics> {
+pub(crate) fn resolve(
+    name: &str,
+    source: &str,
+    measured: &Coefficients,
+) -> Result<Case, Diagnostics> {
     let table = DeTable::parse(source).map_err(|error| syntax(name, source, &error))?;
     let tree = DeValue::Table(table.into_inner());
     let context = Context {
@@ -27,11 +32,12 @@ pub(crate) fn resolve(name: &str, source: &str) -> Result<Case, Diagnostics> {
         ..Context::default()
     };
     let mut node = Node::root(&context, Some(&tree));
-    let draft = document(&mut node);
+    let mut draft = document(&mut node);
     let mut echo = node.echo;
 
     let mut problems = context.diagnostics.take();
     let case = if problems.is_empty() {
+        measured.apply(&mut draft, &mut echo);
         assemble(name, draft, &mut echo, &mut problems)
     } else {
         None
@@ -110,6 +116,7 @@ fn assemble(
     }
     let any_tension =
         pairwise::has_gamma(&draft) || fluids.iter().any(|fluid| fluid.surface_tension > 0.0);
+    let given = Given::of(&draft);
     let stem = Path::new(name).file_stem();
     let model = (draft.fluids.iter()).find_map(|draft| draft.van_der_waals.clone());
     let (model, span) = model.unzip();
@@ -148,6 +155,7 @@ fn assemble(
         output: draft.output,
         measure: draft.measure,
         speeds,
+        given,
         warnings: Diagnostics::new(name, "", Vec::new()),
         particles,
         resolved: String::new(),

@@ -47,6 +47,7 @@ pub(crate) fn lay_all(
                         slip: wall.slip,
                         motion: wall.motion.clone(),
                         adhesion: wall.adhesion,
+                        adhesion_factor: wall.adhesion_factor,
                         bearing: wall.bearing,
                     },
                 ));

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use meniscus::scheme::{SurfaceTension, TimeStep};
-use meniscus_case::Case;
+use meniscus_case::{Case, Coefficients};
 
 fn read(text: &str) -> Case {
     Case::from_str("case.toml", text).unwrap_or_else(|wrong| panic!("{wrong}"))
@@ -152,4 +152,34 @@ fn fluids_keep_the_order_of_the_file() {
             .iter()
             .all(|particle| particle.fluid == 1)
     );
+}
+
+/// What is measured takes the place of what the file leaves open, and of nothing else; the sound speed follows it.
+#[test]
+fn coefficients_are_those_measured_where_the_file_gives_none() {
+    let text = |more: &str| {
+        format!(
+            "dimension = 2\nspacing = 0.1\nend_time = 1\n[fluid.a]\ndensity = 1\nsurface_tension = 1\n{more}\n\
+             [[body]]\nshape = {{ block = {{ low = [-1, 0], high = [1, 1] }} }}\n[[wall]]\n\
+             shape = {{ plane = {{ point = [0, 0], normal = [0, 1], width = 4 }} }}\ncontact_angle = \"60 deg\"\n\
+             [physics]\nsurface_tension = \"akinci\"\npressure = \"over-density-product\"\n"
+        )
+    };
+    let measured = Coefficients {
+        cohesion: [("a".to_owned(), 4.0)].into(),
+        adhesion: [(0, 0.5)].into(),
+    };
+    let plain = Case::from_str("case.toml", &text("")).unwrap();
+    assert!(!plain.given.is_complete());
+    let case = Case::from_str_with("case.toml", &text(""), &measured).unwrap();
+    assert_eq!(case.fluids[0].cohesion_factor, 4.0);
+    assert_eq!(case.scheme.walls[0].adhesion_factor, 0.5);
+    // Four times the cohesion pressure, and c^2 in proportion to it.
+    let ratio = case.fluids[0].sound_speed / plain.fluids[0].sound_speed;
+    assert!((ratio - 2.0).abs() < 1e-12, "{ratio}");
+    let again = Case::from_str("case.toml", case.to_toml()).unwrap();
+    assert!(again.given.is_complete());
+    assert_eq!((&again.fluids, &again.scheme), (&case.fluids, &case.scheme));
+    let own = Case::from_str_with("case.toml", &text("cohesion_factor = 2"), &measured).unwrap();
+    assert_eq!(own.fluids[0].cohesion_factor, 2.0);
 }

@@ -12,6 +12,7 @@ use meniscus::{Simulation, SurfaceTension, theory};
 use meniscus_case::{BYTES_PER_PARTICLE, Case};
 use meniscus_report::number::{significant, with_unit};
 
+use crate::calibrate;
 use crate::failure::Failure;
 use crate::numbers;
 use crate::progress::{duration, seconds};
@@ -22,16 +23,17 @@ const TRIAL: f64 = 0.5;
 
 /// Prints what there is to know of a case.
 pub fn check(path: &Path, voice: Voice) -> Result<ExitCode, Failure> {
-    let case = Case::from_file(path)?;
+    let (measured, of_films) = calibrate::known(path, &Case::from_file(path)?)?;
+    let case = Case::from_file_with(path, &measured)?;
     voice.warn_of(&case);
     match case.dimension {
-        2 => describe::<2>(&case)?,
-        _ => describe::<3>(&case)?,
+        2 => describe::<2>(&case, &of_films)?,
+        _ => describe::<3>(&case, &of_films)?,
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn describe<const D: usize>(case: &Case) -> Result<(), Failure>
+fn describe<const D: usize>(case: &Case, of_films: &[String]) -> Result<(), Failure>
 where
     Space: Dimension<D>,
 {
@@ -39,6 +41,7 @@ where
         Simulation::<D>::new(case.setup()).map_err(|e| Failure::new(e.to_string()))?;
     let mut lines = vec![case.title.clone().unwrap_or_else(|| case.name.clone())];
     what(case, &mut lines);
+    lines.extend(of_films.iter().map(|text| line("calibration", text)));
     let step = time_step(case, simulation.limits(), &mut lines);
     let steps = (case.end_time / step).ceil();
     let bytes = case.particle_count() as f64 * BYTES_PER_PARTICLE;

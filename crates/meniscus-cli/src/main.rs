@@ -6,6 +6,7 @@
 //!   `expected`), on the terminal, in the report's `page` and `figures`
 //! - `appraise`: every model of surface tension through one suite of tests; `batch`: many cases side by side
 //! - `bench`: what the engine costs on this machine
+//! - `calibrate`: how strong pairwise forces must be for a case
 //! - `check`: what a case is, without running it; `numbers` that tell of it
 //! - `reproduce`: the numbers of a paper beside ours, with a `verdict`
 //! - `starter` (`new`): help with writing cases
@@ -16,6 +17,7 @@
 mod appraise;
 mod batch;
 mod bench;
+mod calibrate;
 mod check;
 mod conclude;
 mod convergence;
@@ -104,6 +106,14 @@ enum Command {
         #[command(flatten)]
         place: Place,
     },
+    /// Measure how strong pairwise forces must be for the surface tension of a case, and store it.
+    Calibrate {
+        /// The case file (TOML).
+        case: PathBuf,
+        /// Print JSON instead of a table.
+        #[arg(long)]
+        json: bool,
+    },
     /// Measure what the pair engine costs here, beside what the machine can do.
     Bench {
         #[command(flatten)]
@@ -160,6 +170,7 @@ fn dispatch(program: &Program) -> Result<ExitCode, Failure> {
         Command::Appraise { what, place } => {
             appraise::appraise(what, place.out.as_deref(), place.force, voice)
         }
+        Command::Calibrate { case, json } => calibrate::calibrate(case, *json, voice),
         Command::Bench { what } => bench::bench(what, voice),
         Command::New { name } => starter::write(name, voice),
         Command::Schema => {

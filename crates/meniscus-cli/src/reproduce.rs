@@ -7,10 +7,10 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use meniscus_case::Case;
 use serde::Deserialize;
 
 use crate::batch::{self, Job, Pages};
+use crate::calibrate;
 use crate::convergence::Convergence;
 use crate::failure::{Failure, NOT_REPRODUCED};
 use crate::progress::duration;
@@ -107,14 +107,14 @@ pub fn reproduce(
         Path::to_path_buf,
     );
     let begin = Instant::now();
-    let jobs = claim(&plan, paper, &root, force)?;
-    let panels: Vec<Panel> = jobs.iter().map(Panel::of).collect();
     // Standard output of --json belongs to the JSON.
     let tell = |line: &str| match json {
         true if voice.quiet => {}
         true => complain(line),
         false => voice.say(line),
     };
+    let jobs = claim(&plan, paper, &root, force, &tell)?;
+    let panels: Vec<Panel> = jobs.iter().map(Panel::of).collect();
     let outcomes = batch::run_all(jobs, Pages::Written, &tell);
     let (mut rows, mut problems) = (Vec::new(), Vec::new());
     let mut values = Vec::new();
@@ -182,11 +182,17 @@ pub fn reproduce(
 
 /// All cases, each with its folder: nothing runs before every case is read and every folder is
 /// free. What may not be as meant in a case stands in its report; a paper means it so.
-fn claim(plan: &Reproduction, paper: &Path, root: &Path, force: bool) -> Result<Vec<Job>, Failure> {
+fn claim(
+    plan: &Reproduction,
+    paper: &Path,
+    root: &Path,
+    force: bool,
+    tell: &dyn Fn(&str),
+) -> Result<Vec<Job>, Failure> {
     let mut jobs: Vec<Job> = Vec::new();
     for number in &plan.number {
         if jobs.iter().all(|job| job.name != number.case) {
-            let case = Case::from_file(&paper.join(&number.case))?;
+            let case = calibrate::ready(&paper.join(&number.case), tell)?;
             jobs.push(Job::claim(&number.case, case, root, force)?);
         }
     }

@@ -8,6 +8,7 @@ use meniscus::{Simulation, Snapshot};
 use meniscus_case::Case;
 use meniscus_output::{Checkpoints, FrameWriter, RunFolder, SeriesWriter};
 
+use crate::calibrate;
 use crate::conclude::{file_of, show, write_report};
 use crate::due::reached;
 use crate::failure::Failure;
@@ -25,7 +26,7 @@ pub fn run(
     force: bool,
     voice: Voice,
 ) -> Result<ExitCode, Failure> {
-    let case = Case::from_file(path)?;
+    let case = calibrate::ready(path, &|line| voice.say(line))?;
     voice.warn_of(&case);
     let root = out.map_or_else(|| Path::new("out").join(&case.name), Path::to_path_buf);
     let folder = RunFolder::create(&root, case.to_toml(), force)?;

@@ -13,7 +13,7 @@ use meniscus::measure::{
     linear_momentum, maximum_speed, range, semi_axes_along_coordinates, semi_axes_by_tips,
     specific_compression_energy, surface_energy,
 };
-use meniscus::{Particles, Simulation, SurfaceTension, Vector};
+use meniscus::{Particles, Simulation, SurfaceTension, Vector, theory};
 use meniscus_case::Case;
 use meniscus_output::Column;
 
@@ -112,6 +112,10 @@ impl<'a, const D: usize> Sampler<'a, D> {
             if self.is_pairwise() {
                 let name = self.of_body(body, "inner virial pressure");
                 columns.push(Column::new(&name, "Pa"));
+                if self.case.measure.static_pressure.is_some() {
+                    let name = self.of_body(body, "inner mechanical pressure");
+                    columns.push(Column::new(&name, "Pa"));
+                }
             }
         }
         for name in &self.sensor_names {
@@ -216,6 +220,16 @@ impl<'a, const D: usize> Sampler<'a, D> {
                 let of_body = (0..p.len()).filter(|&i| usize::from(p.body[i]) == body);
                 let virial: Vec<f64> = of_body.filter_map(|i| virial.get(i).copied()).collect();
                 row.push(inner(&virial));
+                if self.case.measure.static_pressure.is_some() {
+                    // Where no particle has a neighbour missing.
+                    let scheme = &self.case.scheme;
+                    let reach = scheme.kernel.support() * scheme.smoothing_length;
+                    let radius = theory::equivalent_radius(volume, D);
+                    let radius = (radius - reach).min(0.5 * radius);
+                    let centre = centre_of_mass(&rows.position, &rows.mass);
+                    let pressure = centre.and_then(|x| simulation.mechanical_pressure(x, radius));
+                    row.push(pressure.unwrap_or(f64::NAN));
+                }
             }
         }
         for sensor in &self.sensors {

@@ -17,6 +17,9 @@ pub struct Fluid {
     pub viscosity: f64,
     /// Surface tension sigma against the surroundings, N/m; zero for none.
     pub surface_tension: f64,
+    /// Strength of pairwise forces over that of a sharp surface of this surface tension: one, unless
+    /// measured otherwise.
+    pub cohesion_factor: f64,
 }
 
 impl Fluid {
@@ -32,6 +35,7 @@ impl Fluid {
             background_pressure: 0.0,
             viscosity: 0.0,
             surface_tension: 0.0,
+            cohesion_factor: 1.0,
         }
     }
 }

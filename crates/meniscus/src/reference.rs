@@ -6,7 +6,6 @@ use crate::kernel::Kernel;
 use crate::particles::Particles;
 use crate::smoothing::Smoothing;
 use crate::term::{PairTerm, Record, ScaledKernel};
-use crate::vector::Vector;
 
 /// `term` summed for particle `i` over all particles, itself and periodic images included.
 /// A number for `smoothing` is one smoothing length for all, m.
@@ -27,7 +26,7 @@ pub fn sum<T: PairTerm<D>, const D: usize>(
         let scaled = ScaledKernel::new(kernel, smoothing_length, D);
         let other = term.record(particles, j);
         let offset = particles.position[i] - particles.position[j];
-        for_each_image(domain, offset, support, &mut |offset| {
+        domain.for_each_image(offset, support, &mut |offset| {
             let pair = scaled.pair::<f64, D>(scaled.approach(offset, || smoothing_length));
             term.pair(&own, &other, &pair, &mut sum);
         });
@@ -47,28 +46,4 @@ pub fn sums<T: PairTerm<D>, const D: usize>(
     (0..particles.len())
         .map(|i| sum(term, kernel, smoothing, domain, particles, i))
         .collect()
-}
-
-fn for_each_image<const D: usize>(
-    domain: &Domain<D>,
-    offset: Vector<f64, D>,
-    support: f64,
-    visit: &mut impl FnMut(Vector<f64, D>),
-) {
-    let mut copies = [(0_i64, 0.0); D];
-    for (copies, axis) in copies.iter_mut().zip(domain.periodic) {
-        if let Some((low, high)) = axis {
-            *copies = ((support / (high - low)).ceil() as i64 + 1, high - low);
-        }
-    }
-    let combinations: i64 = copies.iter().map(|(n, _)| 2 * n + 1).product();
-    for combination in 0..combinations {
-        let mut rest = combination;
-        let mut shifted = offset;
-        for (d, (n, period)) in copies.iter().enumerate() {
-            shifted[d] += (rest % (2 * n + 1) - n) as f64 * period;
-            rest /= 2 * n + 1;
-        }
-        visit(shifted);
-    }
 }

@@ -14,6 +14,8 @@ pub(crate) struct DraftFluid {
     /// Where the sound speed stands, if the file gives one.
     pub sound_speed_span: Option<Range<usize>>,
     pub surface_tension_span: Option<Range<usize>>,
+    /// Where the strength of pairwise forces stands, if the file gives it.
+    pub cohesion_factor_span: Option<Range<usize>>,
     /// What it is, where it is no liquid of nearly constant density, and where that stands.
     pub van_der_waals: Option<(VanDerWaals, Range<usize>)>,
 }
@@ -47,6 +49,7 @@ pub(crate) fn fluid(name: &str, node: &mut Node<'_>) -> DraftFluid {
                     },
                     sound_speed_span: None,
                     surface_tension_span: None,
+                    cohesion_factor_span: None,
                     van_der_waals,
                 }
             }
@@ -59,6 +62,7 @@ pub(crate) fn fluid(name: &str, node: &mut Node<'_>) -> DraftFluid {
 fn refuse_stiff_keys(fields: &mut Fields<'_, '_>) {
     for key in [
         "surface_tension",
+        "cohesion_factor",
         "stiffness_exponent",
         "background_pressure",
         "sound_speed",
@@ -98,6 +102,13 @@ fn stiff(fields: &mut Fields<'_, '_>, plain: Fluid) -> DraftFluid {
             node.quantity(&units::SURFACE_TENSION, Sign::NotNegative)
         },
     );
+    let mut cohesion_factor_span = None;
+    let about = "Strength of pairwise forces over that of a sharp surface of this surface tension. \
+                 Default: as `meniscus calibrate` measures it on a film.";
+    let cohesion_factor = fields.optional("cohesion_factor", about, |node| {
+        cohesion_factor_span = Some(node.span());
+        node.number(Sign::Positive)
+    });
     let about = "Exponent of the equation of state.";
     let stiffness_exponent = fields.or("stiffness_exponent", "7", about, |node| {
         node.number(Sign::Positive)
@@ -118,10 +129,12 @@ fn stiff(fields: &mut Fields<'_, '_>, plain: Fluid) -> DraftFluid {
             stiffness_exponent,
             background_pressure,
             surface_tension,
+            cohesion_factor: cohesion_factor.unwrap_or(1.0),
             ..plain
         },
         sound_speed_span,
         surface_tension_span,
+        cohesion_factor_span,
         van_der_waals: None,
     }
 }

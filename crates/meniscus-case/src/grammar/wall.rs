@@ -23,6 +23,9 @@ pub(crate) struct DraftWall {
     pub adhesion: Adhesion,
     /// Where the adhesion stands, if the file gives any.
     pub adhesion_span: Option<Range<usize>>,
+    pub adhesion_factor: f64,
+    /// Where that stands, if the file gives it.
+    pub adhesion_factor_span: Option<Range<usize>>,
     pub bearing: Bearing,
 }
 
@@ -64,6 +67,13 @@ fn wall<const D: usize>(
             node.choice("motion", &motions::<D>())
         });
         let (adhesion, adhesion_span) = adhesion(fields);
+        let mut adhesion_factor_span = None;
+        let about = "Strength of that attraction over that of a sharp surface of the `contact_angle`. \
+                     Default: as `meniscus calibrate` measures it on a film.";
+        let adhesion_factor = fields.optional("adhesion_factor", about, |node| {
+            adhesion_factor_span = Some(node.span());
+            node.number(Sign::Positive)
+        });
         let about = "Which forces of pairs its pressure balances.";
         let bearing = fields.or("bears", "'pairs'", about, |node| {
             let names = [
@@ -82,6 +92,8 @@ fn wall<const D: usize>(
             motion,
             adhesion,
             adhesion_span,
+            adhesion_factor: adhesion_factor.unwrap_or(1.0),
+            adhesion_factor_span,
             bearing,
         }
     })

@@ -32,8 +32,15 @@ impl Echo {
         Echo::Leaf(out)
     }
 
-    /// Puts a value into the table that `path` leads to.
+    /// Puts a value into the table that `path` leads to, by names and by numbers in lists.
     pub(crate) fn insert(&mut self, path: &[&str], key: &str, value: Echo) {
+        if let (Echo::List(items), [first, rest @ ..]) = (&mut *self, path) {
+            let item = first
+                .parse()
+                .ok()
+                .and_then(|index: usize| items.get_mut(index));
+            return item.map_or((), |item| item.insert(rest, key, value));
+        }
         let Echo::Table(entries) = self else { return };
         match path {
             [] => entries.push((key.into(), value)),

@@ -50,7 +50,7 @@ pub fn cost(model: Model, dimension: usize) -> Result<Cost, Failure> {
         },
         readings: Vec::new(),
     };
-    let case = trial.case()?;
+    let case = trial.case(&meniscus_case::Coefficients::default())?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(1)
         .build()

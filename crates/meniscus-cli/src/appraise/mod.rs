@@ -1,11 +1,13 @@
 //! `meniscus appraise`: one suite of tests over every model of surface tension.
 //!
 //! - `model`: which there are
+//! - `calibrations`: how strong pairwise forces are
 //! - `suite`: the tests; each makes `trial`s, case files with what is to be read from them
 //! - `score`: what the runs came to
 //! - `cost`: what their steps cost
 //! - `page`, `plots`: the comparison for people
 
+mod calibrations;
 mod cost;
 mod model;
 mod page;
@@ -29,6 +31,7 @@ use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::duration;
 use crate::terminal::{Voice, answer, complain};
+use calibrations::Calibrations;
 use model::{MODELS, Model};
 use score::{Run, Score};
 use suite::Effort;
@@ -91,10 +94,11 @@ pub fn appraise(
     };
     trials.retain(|trial| dimensions.contains(&trial.dimension));
     let runs = root.join("runs");
+    let mut calibrations = Calibrations::new(root.join("calibration.toml"), voice);
     let mut jobs = Vec::new();
     let mut claimed: BTreeMap<String, Result<Case, String>> = BTreeMap::new();
     for trial in &trials {
-        let claim = match trial.case() {
+        let claim = match calibrations.case(trial) {
             Ok(case) => {
                 jobs.push(Job::claim(&trial.name(), case.clone(), &runs, force)?);
                 Ok(case)

@@ -1,7 +1,7 @@
 //! One run of the suite: a case in units of its own (density, surface tension and radius one), and
 //! what is read from it.
 
-use meniscus_case::Case;
+use meniscus_case::{Case, Coefficients};
 use meniscus_output::{FrameReader, RunFolder, Series};
 
 use super::model::Model;
@@ -193,13 +193,13 @@ impl Trial {
         )
     }
 
-    /// The case.
+    /// The case, with these coefficients.
     ///
     /// # Errors
     /// If the model does not take it.
-    pub fn case(&self) -> Result<Case, Failure> {
+    pub fn case(&self, measured: &Coefficients) -> Result<Case, Failure> {
         let name = self.name();
-        let mut case = Case::from_str(&format!("{name}.toml"), &self.text())?;
+        let mut case = Case::from_str_with(&format!("{name}.toml"), &self.text(), measured)?;
         case.name = name;
         Ok(case)
     }

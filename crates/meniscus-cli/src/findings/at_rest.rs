@@ -57,6 +57,11 @@ pub(super) fn measure(case: &Case, series: &Series, findings: &mut Findings) {
         let name = "the same with the virial of pairs";
         findings.add("inner-total-pressure", name, "Pa", laplace, total);
     }
+    let by_forces = of_first_body(case, "inner mechanical pressure");
+    if let Some(pressure) = mean(series, &by_forces, &asked.window) {
+        let name = "inner pressure by all forces of pairs";
+        findings.add("inner-mechanical-pressure", name, "Pa", laplace, pressure);
+    }
     let factor = theory::surface_tension_from_pressure(1.0, radius, case.dimension);
     let sigma = Estimate {
         value: pressure.value * factor,

@@ -40,13 +40,10 @@ mod tests {
 
     fn water(stiffness_exponent: f64, background_pressure: f64) -> Fluid {
         Fluid {
-            name: "water".into(),
-            density: 1000.0,
             sound_speed: 5.0,
             stiffness_exponent,
             background_pressure,
-            viscosity: 0.0,
-            surface_tension: 0.0,
+            ..Fluid::new("water", 1000.0)
         }
     }
 

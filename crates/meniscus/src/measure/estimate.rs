@@ -10,6 +10,21 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// The mean of measurements that know nothing of each other, of one normal distribution; none of fewer than
+    /// five.
+    pub fn of_independent(values: &[f64]) -> Option<Self> {
+        let n = values.len() as f64;
+        if n < 5.0 {
+            return None;
+        }
+        let value = values.iter().sum::<f64>() / n;
+        let variance = values.iter().map(|v| (v - value).powi(2)).sum::<f64>() / (n - 1.0);
+        Some(Self {
+            value,
+            half_width: student_t(n - 1.0) * (variance / n).sqrt(),
+        })
+    }
+
     /// A function of this number, to first order: its value and its derivative there.
     pub(crate) fn propagate(self, value: f64, derivative: f64) -> Estimate {
         Estimate {

@@ -3,8 +3,8 @@
 //! Functions of plain columns: positions in m, masses in kg, densities in
 //! kg/m^3, pressures in Pa, one entry per particle. Where columns differ in
 //! length, the shortest counts. In two dimensions everything is per metre of
-//! the third: a mass is in kg/m, an energy in J/m, a volume in m^2. Nothing
-//! here knows of periodic boundaries: positions are those of one whole body.
+//! the third: a mass is in kg/m, an energy in J/m, a volume in m^2. Positions are those of
+//! one whole body: a film alone may repeat itself.
 //!
 //! - totals over all particles: [`centre_of_mass`], [`linear_momentum`], [`kinetic_energy`], ...
 //! - the body's shape: [`PrincipalAxes`], [`semi_axes_by_tips`], [`surface_energy`]
@@ -16,7 +16,8 @@
 //! - pressure against depth: [`PressureProfile`]
 //! - pressure against radius, and what surface tension it shows: [`radial_profile`],
 //!   [`StaticSurfaceTension`]
-//! - how a drop's density ends: [`SurfaceLayer`], [`outer_rings`]; its stress: [`StressProfile`]
+//! - how a drop's density ends: [`SurfaceLayer`], [`outer_rings`]; its stress: [`StressProfile`];
+//!   that of a flat film: [`FilmStress`]
 //! - a fitted oscillation and what surface tension it shows: [`DampedCosine`],
 //!   [`OscillationSurfaceTension`]
 //! - a fitted power law: [`PowerLaw`]
@@ -29,6 +30,7 @@ mod contact_angle;
 mod crown;
 mod damped_cosine;
 mod estimate;
+mod film_stress;
 mod fit_error;
 mod foot;
 mod fragments;
@@ -54,6 +56,7 @@ pub use contact_angle::DropOnWall;
 pub use crown::Crown;
 pub use damped_cosine::DampedCosine;
 pub use estimate::Estimate;
+pub use film_stress::FilmStress;
 pub use fit_error::FitError;
 pub use fragments::{contacts, fragments};
 pub use meniscus::{Meniscus, TankSurface, surface_profile};

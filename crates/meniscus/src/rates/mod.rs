@@ -4,9 +4,10 @@
 //! - `density`: density and pressure
 //! - `surface`: forces by surface tension
 //! - `van_der_waals`: a fluid of its own
-//! - `force`: those of the user's own
+//! - `force`: those of the user's own; `between`: the force of a single pair
 //! - `dimension`: that they are compiled once, for 2 and 3 dimensions
 
+mod between;
 mod density;
 mod dimension;
 mod force;

@@ -50,9 +50,9 @@ pub fn laplace(model: Model, effort: Effort) -> Vec<Trial> {
     trials
 }
 
-/// With forces of pairs the pressure that Laplace means is that with their virial.
+/// With forces of pairs the pressure that Laplace means is that of all of them.
 fn pressure(run: &Evidence<'_>) -> Option<f64> {
-    run.percent_above("inner-total-pressure")
+    run.percent_above("inner-mechanical-pressure")
         .or_else(|| run.percent_above("inner-pressure"))
 }
 

@@ -58,6 +58,9 @@ pub struct Wall {
     pub motion: Motion,
     /// How it attracts the fluid, where surface tension is by pairwise forces.
     pub adhesion: Adhesion,
+    /// Strength of that attraction over that of a sharp surface of its contact angle: one, unless
+    /// measured otherwise.
+    pub adhesion_factor: f64,
     /// Which of these forces its pressure balances.
     pub bearing: Bearing,
 }
@@ -70,6 +73,7 @@ impl Wall {
             slip: Slip::NoSlip,
             motion: Motion::Rest,
             adhesion: Adhesion::None,
+            adhesion_factor: 1.0,
             bearing: Bearing::default(),
         }
     }

@@ -98,7 +98,8 @@ impl Pairwise {
             * moment
     }
 
-    /// The surface tension sigma of a fluid, N/m; its own, where the strength follows from it.
+    /// The surface tension sigma of a sharp surface of a fluid, N/m; its own times its factor, where the strength
+    /// follows from it.
     pub fn surface_tension(&self, fluid: &Fluid, resolution: &Resolution) -> f64 {
         self.strength(fluid, resolution) * self.tension_of_one(fluid, resolution)
     }

@@ -8,7 +8,7 @@ use crate::particles::Particles;
 use crate::physics::surface_tension::gradient::Smoothed;
 use crate::physics::surface_tension::surface::Surface;
 use crate::physics::wall::{Adhesion, Wall};
-use crate::term::Sweep;
+use crate::term::{Pair, PairTerm, Record, Sweep};
 use crate::vector::Vector;
 
 /// A model made ready for the fluids and walls of a flow.
@@ -45,7 +45,8 @@ impl<const D: usize> Pull<D> {
         for wall in walls {
             let first = particles.body.iter().position(|&body| body == wall.body);
             let fluid = &fluids[first.map_or(0, |row| usize::from(particles.fluid[row]))];
-            let strength = model.adhesion_strength(wall.adhesion, fluid, &resolution);
+            let strength =
+                wall.adhesion_factor * model.adhesion_strength(wall.adhesion, fluid, &resolution);
             let sampled = matches!(wall.adhesion, Adhesion::Coefficient(_));
             of_walls[usize::from(wall.body)] = Some((strength, sampled));
         }
@@ -206,6 +207,21 @@ impl<const D: usize> Pull<D> {
         }
         surface.net_force = surface.sum_of_forces(particles);
         self.sums = sums;
+    }
+
+    /// The force of row `j` on row `i`, N, by what pairs have drawn in the last sums.
+    pub(crate) fn force_between(
+        &self,
+        particles: &Particles<D>,
+        [i, j]: [usize; 2],
+        pair: &Pair<f64, D>,
+    ) -> Vector<f64, D> {
+        let term = self.term();
+        let (own, other) = (term.record(particles, i), term.record(particles, j));
+        let mut sum = Pulled::<f64, D>::read(&mut || 0.0);
+        term.pair(&own, &other, pair, &mut sum);
+        let share = self.model.share(particles.mass[i]);
+        sum.acceleration * (share * particles.mass[i])
     }
 
     /// The square of the largest frequency, 1/s^2, of particles that swing by these forces, where

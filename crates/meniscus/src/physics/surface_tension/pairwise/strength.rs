@@ -35,11 +35,14 @@ pub enum Bearing {
 }
 
 impl Pairwise {
-    /// G of a fluid: that of its surface tension, or of gamma. m^4/(kg s^2) times 1/m^D.
+    /// G of a fluid: that of its surface tension, times its factor, or of gamma. m^4/(kg s^2) times 1/m^D.
     pub fn strength(&self, fluid: &Fluid, resolution: &Resolution) -> f64 {
         match self.akinci().and_then(|akinci| akinci.gamma) {
             Some(gamma) => gamma * self.constant(resolution),
-            None => fluid.surface_tension / self.tension_of_one(fluid, resolution),
+            None => {
+                let asked = fluid.cohesion_factor * fluid.surface_tension;
+                asked / self.tension_of_one(fluid, resolution)
+            }
         }
     }
 
