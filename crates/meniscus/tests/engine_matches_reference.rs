@@ -230,13 +230,10 @@ fn agree<T: PairTerm<D>, const D: usize>(
 
 fn fluid(density: f64) -> Fluid {
     Fluid {
-        name: "fluid".into(),
-        density,
         sound_speed: 3.0 * density,
-        stiffness_exponent: 7.0,
-        background_pressure: 0.0,
         viscosity: 0.1 * density,
         surface_tension: 1.0,
+        ..Fluid::new("fluid", density)
     }
 }
 

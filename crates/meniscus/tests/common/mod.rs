@@ -8,13 +8,9 @@ use meniscus::{Domain, Particle, Setup, Simulation, Vector};
 /// Unit density, viscosity `viscosity`, tension `surface_tension`, sound speed 10.
 pub fn fluid(viscosity: f64, surface_tension: f64) -> Fluid {
     Fluid {
-        name: "fluid".into(),
-        density: 1.0,
-        sound_speed: 10.0,
-        stiffness_exponent: 7.0,
-        background_pressure: 0.0,
         viscosity,
         surface_tension,
+        ..Fluid::new("fluid", 1.0)
     }
 }
 

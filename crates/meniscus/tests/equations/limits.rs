@@ -17,13 +17,9 @@ fn close(found: f64, expected: f64) {
 
 fn water() -> Fluid {
     Fluid {
-        name: "water".into(),
-        density: 1000.0,
-        sound_speed: 10.0,
-        stiffness_exponent: 7.0,
-        background_pressure: 0.0,
         viscosity: 4.0,
         surface_tension: 0.07,
+        ..Fluid::new("water", 1000.0)
     }
 }
 
