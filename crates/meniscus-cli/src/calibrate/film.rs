@@ -1,8 +1,9 @@
 //! A flat film of a case's liquid, and what it pulls with.
 //!
-//! Close packed, jittered out of any order, brought to rest by a drag; it repeats along itself, and
-//! both its surfaces are free. At rest nothing presses across it, so it pulls with twice its
-//! surface tension.
+//! Close packed, jittered out of any order, brought to rest by a drag; it repeats along itself, and at
+//! rest nothing presses across it. Where both its surfaces are free it pulls with twice its surface tension sigma. On
+//! a flat wall the forces within the liquid pull with sigma (1 - cos(theta)), theta the contact angle: sigma of its
+//! free surface, and at its foot, after Young, what a wall without and with liquid differ by, -sigma cos(theta).
 
 use std::collections::BTreeMap;
 
@@ -11,9 +12,9 @@ use meniscus::physics::surface_tension::pairwise::Pairwise;
 use meniscus::physics::surface_tension::pairwise::akinci::{Curvature, Normalisation, Reading};
 use meniscus::physics::surface_tension::pairwise::estimate::Resolution;
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::{Fluid, Scheme, TimeStep};
+use meniscus::scheme::{Adhesion, Bearing, BodyForce, Fluid, Scheme, Slip, TimeStep, Wall};
 use meniscus::shape::{Arrangement, Pattern, Shape};
-use meniscus::{Domain, Precision, Setup, Simulation, SurfaceTension, Vector};
+use meniscus::{Domain, Particle, Precision, Setup, Simulation, SurfaceTension, Vector};
 use meniscus_case::{Case, default_sound_speed};
 
 use crate::failure::Failure;
@@ -28,15 +29,43 @@ const TIMES: usize = 5;
 /// Rate of the drag over sqrt(sigma / (rho dx^3)).
 const DRAG: f64 = 0.06;
 
+/// Until when a film is held on its wall, in the same unit, and by what body force, over sigma / (rho dx^2): what its
+/// disorder sets free at first must not throw it off.
+const HELD: f64 = 25.0;
+const HOLD: f64 = 0.05;
+
+/// The body of the wall.
+const WALL: u16 = 1;
+
+/// How strong the forces of a film are, over those of sharp surfaces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strength {
+    /// Within the liquid.
+    pub cohesion: f64,
+    /// Of the wall on it.
+    pub adhesion: f64,
+}
+
+/// The wall that a film stands on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Foot {
+    /// The contact angle that is asked for, rad.
+    pub contact_angle: f64,
+    bearing: Bearing,
+}
+
 /// A film to be made of one fluid of a case.
 #[derive(Clone, Debug)]
 pub struct Film {
     /// Whose it is.
     pub fluid: Fluid,
+    /// What it stands on; none where both surfaces are free.
+    pub foot: Option<Foot>,
     model: Pairwise,
     scheme: Scheme,
     spacing: f64,
-    dimension: usize,
+    /// 2 or 3.
+    pub dimension: usize,
     /// The speeds of the case from which its sound speed follows; none where it is given.
     speeds: Option<meniscus_case::SpeedScales>,
 }
@@ -49,7 +78,6 @@ impl Film {
         };
         let (from, fluid) = (&case.scheme, &case.fluids[index]);
         let spacing = case.spacing;
-        let rate = (fluid.surface_tension / (fluid.density * spacing.powi(3))).sqrt();
         let scheme = Scheme {
             kernel: from.kernel,
             density: from.density,
@@ -57,24 +85,49 @@ impl Film {
             pressure: from.pressure,
             velocity_smoothing: from.velocity_smoothing,
             surface_tension: Some(SurfaceTension::Pairwise(model)),
-            damping: DRAG * rate,
             time_step: TimeStep::Adaptive { safety: 1.0 },
             precision: Precision::Double,
             ..Scheme::new(from.smoothing_length)
         };
-        Some(Self {
+        let mut film = Self {
             fluid: Fluid {
                 // Rest does not depend on it.
                 viscosity: 0.0,
                 cohesion_factor: 1.0,
                 ..fluid.clone()
             },
+            foot: None,
             model,
             scheme,
             spacing,
             dimension: case.dimension,
             speeds: (!case.given.sound_speed[index]).then_some(case.speeds),
+        };
+        film.scheme.damping = DRAG / film.time();
+        Some(film)
+    }
+
+    /// The same on a wall of the case, if it asks for a contact angle that adhesion can give.
+    pub fn on_wall(case: &Case, index: usize) -> Option<Self> {
+        let (body, wall) = (case.walls.get(index)?, case.scheme.walls.get(index)?);
+        let Adhesion::ContactAngle(contact_angle) = wall.adhesion else {
+            return None;
+        };
+        // Without any attraction there is none that could be too weak.
+        let attracts = contact_angle.cos() > -1.0 + 1e-6;
+        let film = Self::new(case, body.fluid).filter(|_| attracts)?;
+        Some(Self {
+            foot: Some(Foot {
+                contact_angle,
+                bearing: wall.bearing,
+            }),
+            ..film
         })
+    }
+
+    /// sqrt(rho dx^3 / sigma), s
+    fn time(&self) -> f64 {
+        (self.fluid.density * self.spacing.powi(3) / self.fluid.surface_tension).sqrt()
     }
 
     fn resolution(&self) -> Resolution {
@@ -168,63 +221,122 @@ impl Film {
                 inputs.insert("surface_tension".into(), number(surface_tension));
             }
         }
+        if let Some(foot) = self.foot {
+            let degrees = foot.contact_angle.to_degrees();
+            inputs.insert("contact_angle".into(), format!("{degrees:.6} deg"));
+            inputs.insert("bears".into(), format!("{:?}", foot.bearing));
+        }
         if let Pairwise::GaussianPair(form) = self.model {
             inputs.insert("form".into(), format!("{form:?}"));
         }
         inputs
     }
 
-    /// The surface tension, N/m, that it shows with forces of this strength, over that of a sharp surface;
-    /// `seed` says which film.
+    /// The tension, N/m, that it pulls along itself with; none where it has left its wall. `seed` says which film.
     ///
     /// # Errors
     /// If the film blows up.
-    pub fn surface_tension(&self, factor: f64, seed: u64) -> Result<f64, Failure> {
+    pub fn tension(&self, strength: Strength, seed: u64) -> Result<Option<f64>, Failure> {
         match self.dimension {
-            2 => self.tension_in::<2>(factor, seed),
-            _ => self.tension_in::<3>(factor, seed),
+            2 => self.tension_in::<2>(strength, seed),
+            _ => self.tension_in::<3>(strength, seed),
         }
     }
 
-    fn tension_in<const D: usize>(&self, factor: f64, seed: u64) -> Result<f64, Failure>
+    fn tension_in<const D: usize>(
+        &self,
+        strength: Strength,
+        seed: u64,
+    ) -> Result<Option<f64>, Failure>
     where
         Space: Dimension<D>,
     {
-        let domain = self.domain::<D>();
-        let setup = Setup {
-            scheme: self.scheme.clone(),
-            fluids: vec![self.liquid(factor)],
-            particles: self.particles(&domain, seed)?,
-            spacing: self.spacing,
-            domain,
-        };
-        let mut simulation =
-            Simulation::<D>::new(setup).map_err(|error| Failure::new(error.to_string()))?;
-        let Fluid {
-            density,
-            surface_tension,
-            ..
-        } = self.fluid;
-        let time = (density * self.spacing.powi(3) / surface_tension).sqrt();
+        let mut simulation = Simulation::<D>::new(self.setup(strength, seed)?)
+            .map_err(|error| Failure::new(error.to_string()))?;
+        let time = self.time();
         let mut sum = 0.0;
         for part in 1..=TIMES {
             let until = REST + MEASURED * part as f64 / TIMES as f64;
             simulation.advance_to(until * time).map_err(|diverged| {
                 Failure::diverged(&diverged, "a film of this liquid does not hold together")
             })?;
-            sum += pull(&simulation).unwrap_or(f64::NAN);
+            let Some(tension) = pull(&simulation) else {
+                return Ok(None);
+            };
+            sum += tension;
         }
-        Ok(0.5 * sum / TIMES as f64)
+        Ok(Some(sum / TIMES as f64))
     }
 
-    /// As wide along each axis as the lattice fits into, and thick enough to have a bulk.
+    fn setup<const D: usize>(&self, strength: Strength, seed: u64) -> Result<Setup<D>, Failure> {
+        let domain = self.domain::<D>();
+        let jittered = Arrangement {
+            jitter: JITTER,
+            seed,
+            ..Arrangement::new(self.pattern(), self.spacing)
+        };
+        let reach = self.scheme.kernel.support() * self.scheme.smoothing_length;
+        let thickness = (3.0 * reach).max(12.0 * self.spacing);
+        let mut particles = self.layer(&domain, jittered, (0.0, thickness))?;
+        let mut scheme = self.scheme.clone();
+        if let Some(foot) = self.foot {
+            let even = Arrangement::new(Pattern::Cubic, self.spacing);
+            let depth = (reach / self.spacing).ceil() * self.spacing;
+            let wall = self.layer(&domain, even, (-depth, 0.0))?;
+            // What the jitter put behind it goes before it.
+            for particle in &mut particles {
+                let height = &mut particle.position[D - 1];
+                *height = height.abs().max(0.1 * self.spacing);
+            }
+            particles.extend(wall.into_iter().map(|particle| Particle {
+                body: WALL,
+                ..particle
+            }));
+            let (time, fluid) = (self.time(), &self.fluid);
+            let pull = fluid.surface_tension / (fluid.density * self.spacing.powi(2));
+            let mut hold = [0.0; 3];
+            hold[D - 1] = -HOLD * pull;
+            scheme.body_force = Some(BodyForce::Table(vec![
+                (0.0, hold),
+                (0.5 * HELD * time, hold),
+                (HELD * time, [0.0; 3]),
+            ]));
+            scheme.walls = vec![Wall {
+                slip: Slip::FreeSlip,
+                adhesion: Adhesion::ContactAngle(foot.contact_angle),
+                adhesion_factor: strength.adhesion,
+                bearing: foot.bearing,
+                ..Wall::new(WALL)
+            }];
+        }
+        Ok(Setup {
+            scheme,
+            fluids: vec![self.liquid(strength.cohesion)],
+            particles,
+            spacing: self.spacing,
+            domain,
+        })
+    }
+
+    /// The lattice that fits what bounds the film.
+    fn pattern(&self) -> Pattern {
+        match self.foot {
+            Some(_) => Pattern::Cubic,
+            None => Pattern::ClosePacked,
+        }
+    }
+
+    /// As wide along each axis as the lattice fits into.
     fn domain<const D: usize>(&self) -> Domain<D> {
         let reach = self.scheme.kernel.support() * self.scheme.smoothing_length / self.spacing;
         let width = match D {
             2 => (6.0 * reach).max(24.0),
             _ => (2.5 * reach).max(10.0),
         };
-        let periods = [1.0, 3.0_f64.sqrt()];
+        let periods = match self.pattern() {
+            Pattern::ClosePacked => [1.0, 3.0_f64.sqrt()],
+            _ => [1.0, 1.0],
+        };
         let mut domain = Domain::default();
         for (axis, period) in domain.periodic[..D - 1].iter_mut().zip(periods) {
             let length = (width / period).ceil() * period * self.spacing;
@@ -233,23 +345,20 @@ impl Film {
         domain
     }
 
-    fn particles<const D: usize>(
+    /// Particles that fill the domain between two heights, m.
+    fn layer<const D: usize>(
         &self,
         domain: &Domain<D>,
-        seed: u64,
-    ) -> Result<Vec<meniscus::Particle<D>>, Failure> {
-        let reach = self.scheme.kernel.support() * self.scheme.smoothing_length;
-        let thickness = (3.0 * reach).max(12.0 * self.spacing);
-        let high = std::array::from_fn(|d| domain.periodic[d].map_or(thickness, |axis| axis.1));
-        let block = Shape::Block {
-            low: Vector::ZERO,
-            high: Vector(high),
-        };
-        let arrangement = Arrangement {
-            jitter: JITTER,
-            seed,
-            ..Arrangement::new(Pattern::ClosePacked, self.spacing)
-        };
+        arrangement: Arrangement<D>,
+        (low, high): (f64, f64),
+    ) -> Result<Vec<Particle<D>>, Failure> {
+        let mut ends = [Vector::<f64, D>::ZERO; 2];
+        for (axis, end) in domain.periodic.iter().zip(&mut ends[1].0) {
+            *end = axis.map_or(high, |axis| axis.1);
+        }
+        ends[0][D - 1] = low;
+        let [low, high] = ends;
+        let block = Shape::Block { low, high };
         let limit = (2.0 * arrangement.estimate(&block)) as usize;
         let mut particles = (arrangement.body(&block, self.fluid.density, limit))
             .map_err(|error| Failure::new(format!("a film cannot be laid: {error}")))?;
@@ -260,18 +369,28 @@ impl Film {
     }
 }
 
-/// The tension of a whole film, N/m.
+/// The tension of the liquid, N/m; none where the wall has let go of it.
 fn pull<const D: usize>(simulation: &Simulation<D>) -> Option<f64> {
     let (particles, scheme) = (simulation.particles(), simulation.scheme());
+    let rows: Vec<usize> = (0..particles.len())
+        .filter(|&row| !simulation.is_wall(particles.body[row]))
+        .collect();
+    let positions: Vec<_> = rows.iter().map(|&row| particles.position[row]).collect();
     let range = scheme.kernel.support() * scheme.smoothing_length;
-    let force = |i, j, offset| simulation.force_at_rest([i, j], offset);
+    let lowest = positions
+        .iter()
+        .map(|x| x[D - 1])
+        .fold(f64::INFINITY, f64::min);
+    if !scheme.walls.is_empty() && lowest > range {
+        return None;
+    }
+    let force = |i: usize, j: usize, offset| simulation.force_at_rest([rows[i], rows[j]], offset);
     let width = 0.5 * simulation.spacing();
-    let stress = FilmStress::measure(
-        &particles.position,
-        simulation.domain(),
-        range,
-        width,
-        force,
-    )?;
-    Some(stress.tension())
+    let stress = FilmStress::measure(&positions, simulation.domain(), range, width, force)?;
+    // At rest nothing presses across a free film, but it swings; on a wall it is the wall that may press.
+    Some(if scheme.walls.is_empty() {
+        stress.tension()
+    } else {
+        stress.pull_along()
+    })
 }

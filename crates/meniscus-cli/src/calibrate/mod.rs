@@ -1,11 +1,14 @@
-//! `meniscus calibrate`: how strong pairwise forces must be for the surface tension of a case.
+//! `meniscus calibrate`: how strong pairwise forces must be for the surface tension and the contact angles of
+//! a case.
 //!
-//! - `film`: a flat film of the liquid, and what it pulls with
+//! - `film`: a flat film of the liquid, free or on a wall, and what it pulls with
 //! - `search`: the strength at which that is right
 //! - `store`: what was found, on disk, and for which inputs
+//! - `open`: what a case leaves to be measured
 //! - here: the command, and cases made ready to run
 
 mod film;
+mod open;
 mod search;
 mod store;
 
@@ -14,86 +17,101 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use meniscus_case::{Case, Coefficients};
-use meniscus_report::number::with_unit;
+use meniscus_report::number::{significant, with_unit};
 use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::progress::duration;
 use crate::table::table;
 use crate::terminal::{Voice, answer};
-use film::Film;
+use open::{Open, Whose};
 use store::{Entry, Store};
 
-/// What `--json` prints of a fluid.
+/// What `--json` prints of a coefficient.
 #[derive(Serialize)]
 struct Row<'a> {
-    fluid: &'a str,
-    /// N/m
+    name: &'a str,
+    /// "N/m" or "deg"
+    unit: &'static str,
     asked: f64,
-    /// N/m
-    shown_by_estimate: f64,
-    cohesion_factor: f64,
+    by_estimate: f64,
+    factor: f64,
+    factor_half_width: f64,
     half_width: f64,
 }
 
 /// Measures the coefficients of a case anew, and stores them beside it.
 pub fn calibrate(path: &Path, json: bool, voice: Voice) -> Result<ExitCode, Failure> {
     let case = Case::from_file(path)?;
-    let films = films(&case);
-    if films.is_empty() {
+    if !leaves_any(&case) {
         return Err(Failure::new(format!(
-            "{} leaves nothing to be measured: only pairwise forces, such as \"akinci\", have a strength that follows from `surface_tension`, unless the file gives `cohesion_factor`",
+            "{} leaves nothing to be measured: only pairwise forces, such as \"akinci\", have a strength that follows from `surface_tension`, unless the file gives `cohesion_factor` (and walls `adhesion_factor`)",
             path.display()
         )));
     }
     let file = store::beside(path);
     let mut store = Store::default();
-    for film in &films {
-        store.put(measure(film)?);
-    }
+    let silent = |_: &str| {};
+    open::complete(&case, &mut store, Some(&silent))?;
     store.write(&file)?;
-    let rows: Vec<Row<'_>> = (store.film.iter())
-        .map(|entry| Row {
-            fluid: &entry.fluid,
-            asked: entry.asked,
-            shown_by_estimate: entry.by_estimate * entry.asked,
-            cohesion_factor: entry.cohesion_factor,
-            half_width: entry.half_width,
-        })
+    let rows: Vec<Row<'_>> = (store.fluid.iter().map(|entry| row(entry, "N/m")))
+        .chain(store.wall.iter().map(|entry| row(entry, "deg")))
         .collect();
     if json {
         answer(&serde_json::to_string_pretty(&rows).map_err(|e| Failure::new(e.to_string()))?)?;
         return Ok(ExitCode::SUCCESS);
     }
     let cells = |row: &Row<'_>| {
+        let shown = |value: f64, figures| match row.unit {
+            "deg" => format!("{} deg", significant(value, figures)),
+            unit => with_unit(value, unit, figures),
+        };
         vec![
-            row.fluid.to_owned(),
-            with_unit(row.asked, "N/m", 4),
-            with_unit(row.shown_by_estimate, "N/m", 3),
-            format!("{:.3}", row.cohesion_factor),
-            format!("{:.3}", row.half_width),
+            row.name.to_owned(),
+            shown(row.asked, 4),
+            shown(row.by_estimate, 3),
+            format!("{:.3}", row.factor),
+            format!("{:.3}", row.factor_half_width),
+            shown(row.half_width, 2),
         ]
     };
     let header = [
-        "fluid",
+        "of",
         "asked for",
-        "a film of the estimate",
+        "films of the estimate",
         "factor",
         "±",
+        "± of what is asked for",
     ];
     answer(&table(&header, &rows.iter().map(cells).collect::<Vec<_>>()))?;
     voice.say(&format!("stored in {}", file.display()));
     Ok(ExitCode::SUCCESS)
 }
 
+fn row<'a>(entry: &'a Entry, unit: &'static str) -> Row<'a> {
+    Row {
+        name: &entry.name,
+        unit,
+        asked: entry.asked,
+        by_estimate: entry.by_estimate,
+        factor: entry.factor,
+        factor_half_width: entry.factor_half_width,
+        half_width: entry.half_width,
+    }
+}
+
+/// Whether there is anything that only films can tell.
+fn leaves_any(case: &Case) -> bool {
+    !case.given.is_complete()
+}
+
 /// Reads a case file to run it: with what stands beside it, and what is missing measured and put there.
 pub fn ready(path: &Path, tell: &dyn Fn(&str)) -> Result<Case, Failure> {
     let case = Case::from_file(path)?;
-    if films(&case).is_empty() {
+    if !leaves_any(&case) {
         return Ok(case);
     }
-    let file = store::beside(path);
-    let measured = coefficients(&case, &file, tell)?;
+    let measured = coefficients(&case, &store::beside(path), tell)?;
     Ok(Case::from_file_with(path, &measured)?)
 }
 
@@ -104,90 +122,54 @@ pub fn coefficients(
     tell: &dyn Fn(&str),
 ) -> Result<Coefficients, Failure> {
     let mut store = Store::read(file)?;
-    let mut measured = Coefficients::default();
-    for film in films(case) {
-        let name = &film.fluid.name;
-        let entry = match store.find(&film.inputs()) {
-            Some(entry) => entry.clone(),
-            None => {
-                tell(&format!(
-                    "measuring the cohesion of {name} on flat films ..."
-                ));
-                let begin = Instant::now();
-                let entry = measure(&film)?;
-                store.put(entry.clone());
-                let stored = match store.write(file) {
-                    Ok(()) => format!("stored in {}", file.display()),
-                    Err(failure) => format!("not stored: {}", failure.message()),
-                };
-                tell(&format!(
-                    "{}; took {}, {stored}",
-                    sentence(&entry),
-                    duration(begin.elapsed().as_secs_f64()),
-                ));
-                entry
-            }
-        };
-        measured
-            .cohesion
-            .insert(name.clone(), entry.cohesion_factor);
+    let begin = Instant::now();
+    let open = open::complete(case, &mut store, Some(tell))?;
+    if open.measured > 0 {
+        let took = duration(begin.elapsed().as_secs_f64());
+        tell(&match store.write(file) {
+            Ok(()) => format!("took {took}, stored in {}", file.display()),
+            Err(failure) => format!("took {took}, not stored: {}", failure.message()),
+        });
     }
-    Ok(measured)
+    Ok(open.coefficients)
 }
 
 /// What is known of a case without measuring: its coefficients, and lines that tell of them.
 pub fn known(path: &Path, case: &Case) -> Result<(Coefficients, Vec<String>), Failure> {
     let file = store::beside(path);
-    let (mut measured, mut lines) = (Coefficients::default(), Vec::new());
-    let films = films(case);
-    if films.is_empty() {
-        return Ok((measured, lines));
+    if !leaves_any(case) {
+        return Ok((Coefficients::default(), Vec::new()));
     }
-    let store = Store::read(&file)?;
-    for film in films {
-        let name = &film.fluid.name;
-        match store.find(&film.inputs()) {
-            Some(entry) => {
-                lines.push(format!("{}, from {}", sentence(entry), file.display()));
-                let factor = entry.cohesion_factor;
-                measured.cohesion.insert(name.clone(), factor);
-            }
-            None => lines.push(format!(
-                "not measured yet: `meniscus run` measures that of {name} first, which takes some seconds"
-            )),
-        }
-    }
-    Ok((measured, lines))
+    let Open {
+        coefficients,
+        found,
+        missing,
+        ..
+    } = open::complete(case, &mut Store::read(&file)?, None)?;
+    let mut lines: Vec<String> = (found.iter())
+        .map(|(whose, entry)| format!("{}, from {}", sentence(*whose, entry), file.display()))
+        .collect();
+    lines.extend((missing.iter()).map(|what| {
+        format!("{what} is not measured yet: `meniscus run` does so first, in some seconds")
+    }));
+    Ok((coefficients, lines))
 }
 
-fn sentence(entry: &Entry) -> String {
+/// What was found, for people.
+fn sentence(whose: Whose, entry: &Entry) -> String {
+    if entry.factor_half_width.is_infinite() {
+        return format!(
+            "{} {} stays that of a sharp surface: films do not come near {} degrees at any strength",
+            whose.what(),
+            entry.name,
+            significant(entry.asked, 3)
+        );
+    }
     format!(
-        "cohesion of {} is {:.3} ± {:.3} times that of a sharp surface",
-        entry.fluid, entry.cohesion_factor, entry.half_width
+        "{} {} is {:.3} ± {:.3} times that of a sharp surface",
+        whose.what(),
+        entry.name,
+        entry.factor,
+        entry.factor_half_width
     )
-}
-
-fn films(case: &Case) -> Vec<Film> {
-    let left = (case.given.cohesion.iter().enumerate()).filter(|(_, given)| !**given);
-    left.filter_map(|(index, _)| Film::new(case, index))
-        .collect()
-}
-
-fn measure(film: &Film) -> Result<Entry, Failure> {
-    let name = &film.fluid.name;
-    let found = search::search(film).map_err(|failure| {
-        Failure::new(format!(
-            "{}\nto run with the strength of a sharp surface all the same: cohesion_factor = 1 in [fluid.{name}]",
-            failure.message()
-        ))
-    })?;
-    let asked = film.fluid.surface_tension;
-    Ok(Entry {
-        fluid: film.fluid.name.clone(),
-        asked,
-        by_estimate: found.by_estimate / asked,
-        cohesion_factor: found.factor.value,
-        half_width: found.factor.half_width,
-        inputs: film.inputs(),
-    })
 }

@@ -11,24 +11,29 @@ use crate::failure::Failure;
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Store {
-    /// One entry for each film.
+    /// Cohesion of fluids, by free films.
     #[serde(default)]
-    pub film: Vec<Entry>,
+    pub fluid: Vec<Entry>,
+    /// Adhesion of walls, by films on them.
+    #[serde(default)]
+    pub wall: Vec<Entry>,
 }
 
-/// A film and its coefficient.
+/// The coefficient of a fluid or of a wall.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Entry {
-    /// Of which fluid, for people.
-    pub fluid: String,
-    /// Surface tension asked for, N/m.
+    /// Whose, for people.
+    pub name: String,
+    /// What is asked for: surface tension, N/m, or contact angle, degrees.
     pub asked: f64,
-    /// What films show with the strength of a sharp surface, over that.
+    /// What films show with the strength of a sharp surface.
     pub by_estimate: f64,
-    /// The factor on that strength.
-    pub cohesion_factor: f64,
+    /// The factor on that strength with which they show what is asked for.
+    pub factor: f64,
     /// Half of its 95 % interval.
+    pub factor_half_width: f64,
+    /// Half of the 95 % interval of what films show with it.
     pub half_width: f64,
     /// What it is for.
     pub inputs: BTreeMap<String, String>,
@@ -61,17 +66,6 @@ impl Store {
         )))
     }
 
-    /// The entry for these inputs.
-    pub fn find(&self, inputs: &BTreeMap<String, String>) -> Option<&Entry> {
-        self.film.iter().find(|entry| entry.inputs == *inputs)
-    }
-
-    /// Puts an entry in the place of one for the same inputs.
-    pub fn put(&mut self, entry: Entry) {
-        self.film.retain(|other| other.inputs != entry.inputs);
-        self.film.push(entry);
-    }
-
     /// Writes the file.
     ///
     /// # Errors
@@ -95,20 +89,47 @@ impl Store {
             "# Strength of pairwise forces, measured on flat films by `meniscus calibrate`.\n\
              # An entry is used where all its inputs are those of a case.\n",
         );
-        for entry in &self.film {
-            text += &format!(
-                "\n[[film]]\nfluid = {:?}\nasked = {:?}\nby_estimate = {:?}\n\
-                 cohesion_factor = {:?}\nhalf_width = {:?}\n\n[film.inputs]\n",
-                entry.fluid,
-                entry.asked,
-                entry.by_estimate,
-                entry.cohesion_factor,
-                entry.half_width
-            );
-            for (name, value) in &entry.inputs {
-                text += &format!("{name} = {value:?}\n");
+        let sections = [("fluid", &self.fluid), ("wall", &self.wall)];
+        for (section, entries) in sections {
+            for entry in entries {
+                text += &entry.text(section);
             }
         }
         text
     }
+}
+
+impl Entry {
+    fn text(&self, section: &str) -> String {
+        let Self {
+            name,
+            asked,
+            by_estimate,
+            factor,
+            factor_half_width,
+            half_width,
+            inputs,
+        } = self;
+        let unit = if section == "fluid" { "N/m" } else { "degrees" };
+        let mut text = format!(
+            "\n[[{section}]]\nname = {name:?}\nasked = {asked:?} # {unit}\nby_estimate = {by_estimate:?}\n\
+             factor = {factor:?}\nfactor_half_width = {factor_half_width:?}\nhalf_width = {half_width:?}\n\n\
+             [{section}.inputs]\n"
+        );
+        for (name, value) in inputs {
+            text += &format!("{name} = {value:?}\n");
+        }
+        text
+    }
+}
+
+/// The entry for these inputs.
+pub fn find<'a>(entries: &'a [Entry], inputs: &BTreeMap<String, String>) -> Option<&'a Entry> {
+    entries.iter().find(|entry| entry.inputs == *inputs)
+}
+
+/// Puts an entry in the place of one for the same inputs.
+pub fn put(entries: &mut Vec<Entry>, entry: Entry) {
+    entries.retain(|other| other.inputs != entry.inputs);
+    entries.push(entry);
 }

@@ -4,6 +4,7 @@
 
 mod appraise;
 mod bench;
+mod calibrate;
 mod commands;
 mod divergence;
 mod reproduce;

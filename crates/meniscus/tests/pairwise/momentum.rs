@@ -55,6 +55,31 @@ fn momentum_is_conserved_and_angular_momentum_but_for_the_curvature_force() {
     conserves::<3>();
 }
 
+/// The forces of single pairs, one by one, are what moves each particle of a jittered drop.
+#[test]
+fn forces_at_rest_add_up_to_the_accelerations() {
+    for model in soft() {
+        let mut setup = free_drop::<2>(0.1, 0.15);
+        setup.scheme.surface_tension = Some(SurfaceTension::Pairwise(model));
+        for particle in &mut setup.particles {
+            particle.velocity = Vector::ZERO;
+        }
+        let simulation = Simulation::new(setup).expect("a sound setup");
+        let p = simulation.particles();
+        let largest = p.acceleration.iter().map(Vector::norm).fold(0.0, f64::max);
+        for i in 0..p.len() {
+            let mut force = Vector::ZERO;
+            for j in 0..p.len() {
+                let offset = p.position[i] - p.position[j];
+                force += simulation.force_at_rest([i, j], offset);
+            }
+            let rest = (force * (1.0 / p.mass[i]) - p.acceleration[i]).norm();
+            // The engine sums in another order.
+            assert!(rest < 1e-11 * largest, "{model:?}: {rest:e} of {largest:e}");
+        }
+    }
+}
+
 /// A jittered drop upon a plane that attracts it, without weight.
 #[test]
 fn the_wall_feels_what_the_drop_does() {
