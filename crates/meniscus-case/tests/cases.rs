@@ -18,9 +18,10 @@ fn files(folder: &str) -> Vec<PathBuf> {
     files
 }
 
-/// The good cases, and those that the project reproduces papers with.
+/// The good cases, those that a user starts from, and those that the project reproduces papers with.
 fn good() -> Vec<PathBuf> {
     let mut all = files("tests/cases/good");
+    all.extend(files("../../cases"));
     all.extend(files("../../papers/jancik-hyhlik"));
     all.extend(files("../../papers/qiang-chen-gao"));
     all.extend(files("../../papers/sigalotti-daza-donoso"));

@@ -9,6 +9,7 @@ mod hydrostatics;
 mod merging;
 mod oscillation;
 mod roundness;
+mod spreading;
 mod tank;
 mod van_der_waals;
 
@@ -56,6 +57,8 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     merging::waist(case, series, &mut findings);
     merging::breakup(case, series, &mut findings);
     merging::mixing(case, series, &mut findings);
+    merging::drops(case, series, &mut findings);
+    spreading::measure(case, series, &mut findings);
     curvature(case, series, &mut findings);
     at_rest::measure(case, series, &mut findings);
     roundness::measure(case, series, &mut findings);

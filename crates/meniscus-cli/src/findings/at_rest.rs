@@ -39,7 +39,9 @@ pub(super) fn measure(case: &Case, series: &Series, findings: &mut Findings) {
     let fluid = &case.fluids[body.fluid];
     let radius = theory::equivalent_radius(body.volume, case.dimension);
     let jump = theory::pressure_jump(fluid.surface_tension, radius, case.dimension);
-    let laplace = Some(("Laplace", jump));
+    // Walls bend a surface otherwise.
+    let round = case.walls.is_empty();
+    let laplace = round.then_some(("Laplace", jump));
     let name = match asked.outside {
         Some(_) => "inner pressure (r < R/2), above that outside",
         None => "inner pressure (r < R/2)",
@@ -69,7 +71,9 @@ pub(super) fn measure(case: &Case, series: &Series, findings: &mut Findings) {
     };
     let given = Some(("given", fluid.surface_tension));
     let name = "surface tension by inner pressure";
-    findings.add("sigma-static", name, "N/m", given, sigma);
+    if round {
+        findings.add("sigma-static", name, "N/m", given, sigma);
+    }
 
     let length = asked.window.to - asked.window.from;
     let before = Window {

@@ -1,6 +1,9 @@
 //! How a drop stands on a wall.
 
-use meniscus_case::Case;
+use meniscus::Vector;
+use meniscus::scheme::BodyForce;
+use meniscus::theory::{SessileDrop, capillary_length};
+use meniscus_case::{Case, ContactAngle};
 use meniscus_output::Series;
 
 use super::{Findings, exact, mean, window};
@@ -19,11 +22,15 @@ pub fn measure(case: &Case, series: &Series, findings: &mut Findings) {
     let Some(asked) = &case.measure.contact_angle else {
         return;
     };
-    let expected = asked.expected.map(f64::to_degrees);
+    let expected = asked.expected.map(|angle| ("expected", angle.to_degrees()));
+    let exact_drop = shape_at_rest(case, asked);
     for ((column, unit), (id, name)) in CONTACT_ANGLE.into_iter().zip(NUMBERS) {
-        let reference = expected
-            .filter(|_| unit == "deg")
-            .map(|angle| ("expected", angle));
+        let of_drop = |size: fn(SessileDrop) -> f64| Some(("Young and Laplace", size(exact_drop?)));
+        let reference = match id {
+            "wetted-radius" => of_drop(|drop| drop.base_radius),
+            "drop-height" => of_drop(|drop| drop.height),
+            _ => expected,
+        };
         match mean(series, column, &asked.window) {
             Some(found) => findings.add(id, name, unit, reference, found),
             None => findings
@@ -37,4 +44,25 @@ pub fn measure(case: &Case, series: &Series, findings: &mut Findings) {
         let name = "largest gap below the drop";
         findings.add("largest-gap", name, unit, None, exact(largest));
     }
+}
+
+/// The first body at rest under the angle to compare with; none where its weight does not push it
+/// straight on the wall.
+fn shape_at_rest(case: &Case, asked: &ContactAngle) -> Option<SessileDrop> {
+    let (angle, body) = (asked.expected?, case.bodies.first()?);
+    let fluid = &case.fluids[body.fluid];
+    let normal = Vector(asked.normal);
+    let length = match &case.scheme.body_force {
+        None => f64::INFINITY,
+        Some(BodyForce::Constant(g)) => {
+            let down = -Vector(*g).dot(&normal) / normal.norm();
+            // Up to rounding all of it.
+            if down < Vector(*g).norm() * (1.0 - 1e-9) {
+                return None;
+            }
+            capillary_length(fluid.surface_tension, fluid.density, down)
+        }
+        Some(_) => return None,
+    };
+    Some(SessileDrop::of_volume(body.volume, angle, length, case.dimension))
 }

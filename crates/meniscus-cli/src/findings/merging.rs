@@ -118,3 +118,15 @@ pub(super) fn mixing(case: &Case, series: &Series, findings: &mut Findings) {
         exact(mean(last) / mean(first)),
     );
 }
+
+/// How many drops there are at the end.
+pub(super) fn drops(case: &Case, series: &Series, findings: &mut Findings) {
+    let last = |name: &str| series.column(name).and_then(<[f64]>::last).copied();
+    if let (true, Some(count), Some(held)) =
+        (case.measure.drops, last("drops"), last("liquid in drops"))
+    {
+        findings.add("drops", "drops at the end", "", None, exact(count));
+        let name = "share of the liquid in them";
+        findings.add("liquid-in-drops", name, "%", None, exact(100.0 * held));
+    }
+}

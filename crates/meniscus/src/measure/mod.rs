@@ -11,7 +11,7 @@
 //! - how round a body is, by direction: [`Outline`]
 //! - a splash: [`Crown`]; a drop on a wall: [`DropOnWall`]; the surface in a tank: [`TankSurface`]
 //! - which particles lie at a free surface: [`surface_particles`]
-//! - drops that merge or break: [`waist`], [`fragments`], [`Bag`], [`contacts`]
+//! - drops that merge, break or spread: [`waist`], [`fragments`], [`Bag`], [`contacts`], [`width_across`]
 //! - virtual pressure sensors: [`Sensor`]
 //! - pressure against depth: [`PressureProfile`]
 //! - pressure against radius, and what surface tension it shows: [`radial_profile`],
@@ -49,6 +49,7 @@ mod surface;
 mod surface_layer;
 mod totals;
 mod waist;
+mod width;
 
 pub use bag::Bag;
 pub use compression_energy::{compression_energy, specific_compression_energy};
@@ -76,3 +77,4 @@ pub use totals::{
     angular_momentum, centre_of_mass, kinetic_energy, linear_momentum, maximum_speed, range,
 };
 pub use waist::waist;
+pub use width::width_across;

@@ -122,7 +122,11 @@ impl<const D: usize> Rates<D> {
             pilot: Pilot::default(),
             grad_h: GradH::default(),
             equations_of_state: fluids.iter().map(Tait::new).collect(),
-            walls: Walls::new(&scheme.walls, particles),
+            walls: {
+                // The balanced model asks for the liquid's pressure in the wall as well.
+                let holds = matches!(scheme.surface_tension, Some(SurfaceTension::Balanced(_)));
+                Walls::new(&scheme.walls, particles, holds)
+            },
             one_mass: first.filter(|_| same && fluids.len() == 1),
             scheme,
             fluids,

@@ -7,6 +7,7 @@
 //! checked: a negative density gives NaN.
 
 mod artificial_viscosity;
+mod bridge;
 mod cap;
 mod capillary;
 mod dimensionless;
@@ -14,11 +15,15 @@ mod ellipsoid;
 mod laplace;
 mod meniscus;
 mod oscillation;
+mod sessile;
+mod spreading;
+mod thread;
 mod two_fluid_oscillation;
 mod van_der_waals;
 mod viscous_oscillation;
 
 pub use artificial_viscosity::artificial_kinematic_viscosity;
+pub use bridge::Bridge;
 pub use cap::{Cap, contact_angle};
 pub use capillary::{capillary_length, capillary_time, capillary_velocity};
 pub use dimensionless::{
@@ -28,6 +33,9 @@ pub use ellipsoid::{ellipse_perimeter, ellipsoid_area, equivalent_radius};
 pub use laplace::{pressure_jump, surface_tension_from_pressure};
 pub use meniscus::{PlateMeniscus, jurin_rise, meniscus_height, meniscus_rise, puddle_height};
 pub use oscillation::{angular_frequency, surface_tension_from_frequency};
+pub use sessile::SessileDrop;
+pub use spreading::{spreading_laan, spreading_pasandideh_fard, spreading_roisman};
+pub use thread::thread_growth_rate;
 pub use two_fluid_oscillation::{Medium, immersed_angular_frequency, two_fluid_oscillation};
 pub use van_der_waals::{
     Coexistence, coexistence, reduced_pressure, spinodal, step_surface_tension,

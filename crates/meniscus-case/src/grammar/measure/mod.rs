@@ -29,6 +29,11 @@ pub struct Measure {
     pub waist: Option<Waist>,
     /// The way the first body goes, by which its breakup is described: a vector of any length.
     pub breakup: Option<[f64; 3]>,
+    /// How wide the first body spreads: the direction across which its width is taken, a vector of any
+    /// length, such as the normal of a wall.
+    pub spreading: Option<[f64; 3]>,
+    /// Whether drops are counted: pieces of all liquid.
+    pub drops: bool,
     /// Whether the pairs of particles across the surface of the first body are counted.
     pub mixing: bool,
     /// Pressure sensors.

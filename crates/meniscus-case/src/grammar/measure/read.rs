@@ -98,6 +98,23 @@ pub(in crate::grammar) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[
                 })
             },
         ),
+        spreading: fields.optional(
+            "spreading",
+            "Largest width of the first body across a direction, over the diameter that it has as a ball.",
+            |node| {
+                node.table(|fields| {
+                    let about = "The direction, such as the wall's normal, of any length.";
+                    fields.required("normal", about, direction)
+                })
+            },
+        ),
+        drops: fields
+            .optional(
+                "drops",
+                "Count the pieces of all liquid that hold a hundredth of it or more.",
+                |node| node.table(|_| ()),
+            )
+            .is_some(),
         mixing: fields
             .optional(
                 "mixing",

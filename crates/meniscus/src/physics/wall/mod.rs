@@ -10,7 +10,9 @@
 //! - eq. 28  rho_w from p_w by the equation of state
 //! - eq. 22, 23  v = v_w - sum_f (v_f - v_w(x_f)) W_wf / sum_f W_wf, seen by viscous forces, no slip
 //!
-//! with p_w no less than zero, since a wall does not pull (adhesion is another force), and
+//! with p_w no less than zero, since a wall does not pull (adhesion is another force); with the balanced
+//! surface tension, which pulls on the liquid where its surface is hollow, no less than the mean p_f, if
+//! that is below zero, or the liquid would come off. And
 //! where v_w(x_f) is the velocity that the wall would have at the fluid's place, which the paper takes for
 //! that of the wall particle: the same, unless the wall turns.
 //!
