@@ -64,5 +64,10 @@ fn shape_at_rest(case: &Case, asked: &ContactAngle) -> Option<SessileDrop> {
         }
         Some(_) => return None,
     };
-    Some(SessileDrop::of_volume(body.volume, angle, length, case.dimension))
+    Some(SessileDrop::of_volume(
+        body.volume,
+        angle,
+        length,
+        case.dimension,
+    ))
 }

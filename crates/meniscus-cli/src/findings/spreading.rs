@@ -41,7 +41,13 @@ pub(super) fn measure(case: &Case, series: &Series, findings: &mut Findings) {
         findings.add("spread-factor", name, "", None, factor);
     } else {
         let laan = theory::spreading_laan(weber, reynolds);
-        findings.add("spread-factor", name, "", Some(("Laan et al. 2014", laan)), factor);
+        findings.add(
+            "spread-factor",
+            name,
+            "",
+            Some(("Laan et al. 2014", laan)),
+            factor,
+        );
         let roisman = theory::spreading_roisman(weber, reynolds);
         let beside = Some(("Roisman 2009", roisman));
         findings.add("spread-factor-roisman", "the same", "", beside, factor);
@@ -52,7 +58,13 @@ pub(super) fn measure(case: &Case, series: &Series, findings: &mut Findings) {
         if let Some(angle) = angle {
             let found = theory::spreading_pasandideh_fard(weber, reynolds, angle);
             let beside = Some(("Pasandideh-Fard et al. 1996", found));
-            findings.add("spread-factor-pasandideh-fard", "the same", "", beside, factor);
+            findings.add(
+                "spread-factor-pasandideh-fard",
+                "the same",
+                "",
+                beside,
+                factor,
+            );
         }
     }
     let name = "time of the largest width";

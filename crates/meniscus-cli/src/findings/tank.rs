@@ -27,7 +27,8 @@ pub fn measure(case: &Case, series: &Series, findings: &mut Findings) {
     };
     let [left, right] = asked.walls;
     let rise = asked.expected.zip(asked.capillary_length);
-    let rise = rise.map(|(angle, length)| ("exact meniscus", exact_rise(right - left, angle, length)));
+    let rise =
+        rise.map(|(angle, length)| ("exact meniscus", exact_rise(right - left, angle, length)));
     // The angle is read from the meniscus of a lone wall.
     let narrow = (asked.capillary_length).is_some_and(|length| right - left < LONE * length);
     let angle = asked.expected.map(|angle| ("expected", angle.to_degrees()));

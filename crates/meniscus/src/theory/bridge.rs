@@ -116,7 +116,8 @@ mod tests {
         for degrees in [40.0_f64, 75.0, 120.0] {
             let angle = degrees.to_radians();
             let bridge = Bridge::of_volume(3.0, angle, 1.0, 3);
-            let force = |r: f64, upright: f64| 2.0 * PI * r * upright - PI * r * r * bridge.curvature;
+            let force =
+                |r: f64, upright: f64| 2.0 * PI * r * upright - PI * r * r * bridge.curvature;
             let (neck, wall) = (
                 force(bridge.neck_radius, 1.0),
                 force(bridge.wall_radius, angle.sin()),

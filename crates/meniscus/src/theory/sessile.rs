@@ -128,7 +128,10 @@ mod tests {
             };
             let carried = pressure * area - edge * angle.sin();
             // The rule's error at 400 steps.
-            assert!((carried / (volume / (a * a)) - 1.0).abs() < 1e-5, "{carried}");
+            assert!(
+                (carried / (volume / (a * a)) - 1.0).abs() < 1e-5,
+                "{carried}"
+            );
         }
     }
 
