@@ -33,8 +33,8 @@ pub(crate) struct Walls<const D: usize> {
     wall_of: Vec<Option<u16>>,
     is_wall: Vec<bool>,
     slip: Vec<f64>,
-    /// Whether walls pull liquid whose pressure is below zero.
-    holds: bool,
+    /// How far below zero the pressure of walls may fall, Pa.
+    tension: f64,
     /// Places at t = 0, by number of the particle; none where nothing moves.
     start: Vec<Vector<f64, D>>,
     /// Rows of the wall particles, and how many lists had been built then.
@@ -53,9 +53,9 @@ pub(crate) struct Walls<const D: usize> {
 }
 
 impl<const D: usize> Walls<D> {
-    /// Walls of particles at the start, in the order of their numbers. They `hold` liquid under a
-    /// hollow surface, whose pressure is below zero, or let it go.
-    pub(crate) fn new(walls: &[Wall], particles: &Particles<D>, holds: bool) -> Self {
+    /// Walls of particles at the start, in the order of their numbers. Liquid whose
+    /// pressure is below zero they hold by up to this `tension`, Pa.
+    pub(crate) fn new(walls: &[Wall], particles: &Particles<D>, tension: f64) -> Self {
         let bodies = walls.iter().map(|wall| usize::from(wall.body) + 1).max();
         let bodies = bodies.unwrap_or(0);
         let mut new = Self {
@@ -63,7 +63,7 @@ impl<const D: usize> Walls<D> {
             wall_of: vec![None; bodies],
             is_wall: vec![false; bodies],
             slip: vec![0.0; bodies],
-            holds,
+            tension,
             loads: vec![WallLoad::default(); walls.len()],
             ..Self::default()
         };
@@ -212,7 +212,7 @@ impl<const D: usize> Walls<D> {
                 // A wall pulls no more than the liquid beside it: above a water line the line goes
                 // on below zero, and would draw particles in.
                 let beside = sum.pressure / sum.weight;
-                let least = if self.holds { beside.min(0.0) } else { 0.0 };
+                let least = beside.min(0.0).max(-self.tension);
                 pressure = ((sum.pressure + pull.dot(&sum.head)) / sum.weight).max(least);
                 let share = 1.0 / sum.weight;
                 let wall = self.wall_of(particles, row).map(|wall| &self.walls[wall]);

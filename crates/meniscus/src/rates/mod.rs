@@ -122,11 +122,7 @@ impl<const D: usize> Rates<D> {
             pilot: Pilot::default(),
             grad_h: GradH::default(),
             equations_of_state: fluids.iter().map(Tait::new).collect(),
-            walls: {
-                // The balanced model asks for the liquid's pressure in the wall as well.
-                let holds = matches!(scheme.surface_tension, Some(SurfaceTension::Balanced(_)));
-                Walls::new(&scheme.walls, particles, holds)
-            },
+            walls: Walls::new(&scheme.walls, particles, wall_tension(&scheme, &fluids)),
             one_mass: first.filter(|_| same && fluids.len() == 1),
             scheme,
             fluids,
@@ -265,6 +261,18 @@ fn mean_spacing<const D: usize>(fluids: &[Fluid], particles: &Particles<D>) -> f
         .map(|(mass, fluid)| mass / fluids[*fluid as usize].density)
         .sum();
     (volume / particles.len().max(1) as f64).powf(1.0 / D as f64)
+}
+
+/// How much walls pull, Pa. The balanced model asks for the liquid's pressure in the wall as well, sigma
+/// kappa, which is below zero under a hollow surface: down to that of one bent by 1 / h. What is
+/// further below is noise.
+fn wall_tension(scheme: &Scheme, fluids: &[Fluid]) -> f64 {
+    match (scheme.surface_tension, fluids) {
+        (Some(SurfaceTension::Balanced(_)), [fluid, ..]) => {
+            fluid.surface_tension / scheme.smoothing_length
+        }
+        _ => 0.0,
+    }
 }
 
 fn is_viscous(fluids: &[Fluid]) -> bool {

@@ -12,7 +12,7 @@
 //!
 //! with p_w no less than zero, since a wall does not pull (adhesion is another force); with the balanced
 //! surface tension, which pulls on the liquid where its surface is hollow, no less than the mean p_f, if
-//! that is below zero, or the liquid would come off. And
+//! that is below zero, down to -sigma / h, or the liquid would come off. And
 //! where v_w(x_f) is the velocity that the wall would have at the fluid's place, which the paper takes for
 //! that of the wall particle: the same, unless the wall turns.
 //!
