@@ -5,17 +5,14 @@
 //! a flat wall the forces within the liquid pull with sigma (1 - cos(theta)), theta the contact angle: sigma of its
 //! free surface, and at its foot, after Young, what a wall without and with liquid differ by, -sigma cos(theta).
 
-use std::collections::BTreeMap;
-
 use meniscus::measure::FilmStress;
 use meniscus::physics::surface_tension::pairwise::Pairwise;
-use meniscus::physics::surface_tension::pairwise::akinci::{Curvature, Normalisation, Reading};
 use meniscus::physics::surface_tension::pairwise::estimate::Resolution;
 use meniscus::rates::{Dimension, Space};
 use meniscus::scheme::{Adhesion, Bearing, BodyForce, Fluid, Scheme, Slip, TimeStep, Wall};
 use meniscus::shape::{Arrangement, Pattern, Shape};
 use meniscus::{Domain, Particle, Precision, Setup, Simulation, SurfaceTension, Vector};
-use meniscus_case::{Case, default_sound_speed};
+use meniscus_case::{Case, SpeedScales, default_sound_speed};
 
 use crate::failure::Failure;
 
@@ -51,7 +48,7 @@ pub struct Strength {
 pub struct Foot {
     /// The contact angle that is asked for, rad.
     pub contact_angle: f64,
-    bearing: Bearing,
+    pub(super) bearing: Bearing,
 }
 
 /// A film to be made of one fluid of a case.
@@ -61,13 +58,13 @@ pub struct Film {
     pub fluid: Fluid,
     /// What it stands on; none where both surfaces are free.
     pub foot: Option<Foot>,
-    model: Pairwise,
-    scheme: Scheme,
-    spacing: f64,
+    pub(super) model: Pairwise,
+    pub(super) scheme: Scheme,
+    pub(super) spacing: f64,
     /// 2 or 3.
     pub dimension: usize,
     /// The speeds of the case from which its sound speed follows; none where it is given.
-    speeds: Option<meniscus_case::SpeedScales>,
+    pub(super) speeds: Option<SpeedScales>,
 }
 
 impl Film {
@@ -140,7 +137,7 @@ impl Film {
     }
 
     /// The liquid with forces of this strength, over that of a sharp surface.
-    fn liquid(&self, factor: f64) -> Fluid {
+    pub(super) fn liquid(&self, factor: f64) -> Fluid {
         let mut fluid = Fluid {
             cohesion_factor: factor,
             ..self.fluid.clone()
@@ -148,88 +145,12 @@ impl Film {
         if let Some(speeds) = self.speeds {
             let cohesion = self.model.cohesion_pressure(&fluid, &self.resolution());
             let left = (cohesion - fluid.background_pressure).max(0.0);
-            fluid.sound_speed = default_sound_speed(&meniscus_case::SpeedScales {
+            fluid.sound_speed = default_sound_speed(&SpeedScales {
                 cohesion: (left / fluid.density).sqrt(),
                 ..speeds
             });
         }
         fluid
-    }
-
-    /// Everything that its tension over the one asked for depends on: in units of density, spacing and
-    /// surface tension, so that it is the same film at any scale.
-    pub fn inputs(&self) -> BTreeMap<String, String> {
-        let Fluid {
-            density,
-            surface_tension,
-            ..
-        } = self.fluid;
-        let pressure = surface_tension / self.spacing;
-        let speed = (pressure / density).sqrt();
-        let number = |value: f64| format!("{value:.9e}");
-        let fluid = self.liquid(1.0);
-        let mut inputs = BTreeMap::from(
-            [
-                ("model", self.model.name().to_owned()),
-                ("dimension", self.dimension.to_string()),
-                ("kernel", self.scheme.kernel.name().to_owned()),
-                (
-                    "smoothing_length_over_spacing",
-                    number(self.scheme.smoothing_length / self.spacing),
-                ),
-                (
-                    "sound_speed_over_capillary_speed",
-                    number(fluid.sound_speed / speed),
-                ),
-                (
-                    "sound_speed",
-                    if self.speeds.is_some() {
-                        "default"
-                    } else {
-                        "given"
-                    }
-                    .to_owned(),
-                ),
-                ("stiffness_exponent", number(fluid.stiffness_exponent)),
-                (
-                    "background_pressure_over_capillary_pressure",
-                    number(fluid.background_pressure / pressure),
-                ),
-                ("density_form", format!("{:?}", self.scheme.density)),
-                (
-                    "density_diffusion",
-                    format!("{:?}", self.scheme.density_diffusion),
-                ),
-                ("pressure_form", format!("{:?}", self.scheme.pressure)),
-                ("velocity_smoothing", number(self.scheme.velocity_smoothing)),
-            ]
-            .map(|(name, value)| (name.to_owned(), value)),
-        );
-        if let Pairwise::LennardJones(model) = self.model {
-            let ratio = number(model.rest_distance / self.spacing);
-            inputs.insert("rest_distance_over_spacing".into(), ratio);
-        }
-        if let Some(akinci) = self.model.akinci() {
-            inputs.insert("akinci".into(), format!("{akinci:?}"));
-            // As printed these are out of units, and know what a metre is.
-            if akinci.curvature != Curvature::None
-                || akinci.normalisation == Normalisation::Printed
-                || akinci.reading == Reading::Acceleration
-            {
-                inputs.insert("density".into(), number(density));
-                inputs.insert("spacing".into(), number(self.spacing));
-                inputs.insert("surface_tension".into(), number(surface_tension));
-            }
-        }
-        if let Some(foot) = self.foot {
-            let degrees = foot.contact_angle.to_degrees();
-            inputs.insert("contact_angle".into(), format!("{degrees:.6} deg"));
-            inputs.insert("bears".into(), format!("{:?}", foot.bearing));
-        }
-        if let Pairwise::GaussianPair(form) = self.model {
-            inputs.insert("form".into(), format!("{form:?}"));
-        }
-        inputs
     }
 
     /// The tension, N/m, that it pulls along itself with; none where it has left its wall. `seed` says which film.

@@ -1,13 +1,14 @@
 //! `meniscus calibrate`: how strong pairwise forces must be for the surface tension and the contact angles of
 //! a case.
 //!
-//! - `film`: a flat film of the liquid, free or on a wall, and what it pulls with
+//! - `film`: a flat film of the liquid, free or on a wall, and what it pulls with; `inputs`: what that depends on
 //! - `search`: the strength at which that is right
 //! - `store`: what was found, on disk, and for which inputs
 //! - `open`: what a case leaves to be measured
 //! - here: the command, and cases made ready to run
 
 mod film;
+mod inputs;
 mod open;
 mod search;
 mod store;

@@ -1,0 +1,91 @@
+//! What a film depends on: a coefficient holds for these inputs, and for no others.
+
+use std::collections::BTreeMap;
+
+use meniscus::physics::surface_tension::pairwise::Pairwise;
+use meniscus::physics::surface_tension::pairwise::akinci::{Curvature, Normalisation, Reading};
+use meniscus::scheme::Fluid;
+
+use super::film::Film;
+
+/// Which films these are: another way of making them is another number.
+const PROTOCOL: u32 = 1;
+
+impl Film {
+    /// Everything that its tension over the one asked for depends on: in units of density, spacing and
+    /// surface tension, so that it is the same film at any scale.
+    pub fn inputs(&self) -> BTreeMap<String, String> {
+        let Fluid {
+            density,
+            surface_tension,
+            ..
+        } = self.fluid;
+        let pressure = surface_tension / self.spacing;
+        let speed = (pressure / density).sqrt();
+        let number = |value: f64| format!("{value:.9e}");
+        let fluid = self.liquid(1.0);
+        let mut inputs = BTreeMap::from(
+            [
+                ("protocol", PROTOCOL.to_string()),
+                ("model", self.model.name().to_owned()),
+                ("dimension", self.dimension.to_string()),
+                ("kernel", self.scheme.kernel.name().to_owned()),
+                (
+                    "smoothing_length_over_spacing",
+                    number(self.scheme.smoothing_length / self.spacing),
+                ),
+                (
+                    "sound_speed_over_capillary_speed",
+                    number(fluid.sound_speed / speed),
+                ),
+                (
+                    "sound_speed",
+                    if self.speeds.is_some() {
+                        "default"
+                    } else {
+                        "given"
+                    }
+                    .to_owned(),
+                ),
+                ("stiffness_exponent", number(fluid.stiffness_exponent)),
+                (
+                    "background_pressure_over_capillary_pressure",
+                    number(fluid.background_pressure / pressure),
+                ),
+                ("density_form", format!("{:?}", self.scheme.density)),
+                (
+                    "density_diffusion",
+                    format!("{:?}", self.scheme.density_diffusion),
+                ),
+                ("pressure_form", format!("{:?}", self.scheme.pressure)),
+                ("velocity_smoothing", number(self.scheme.velocity_smoothing)),
+            ]
+            .map(|(name, value)| (name.to_owned(), value)),
+        );
+        if let Pairwise::LennardJones(model) = self.model {
+            let ratio = number(model.rest_distance / self.spacing);
+            inputs.insert("rest_distance_over_spacing".into(), ratio);
+        }
+        if let Some(akinci) = self.model.akinci() {
+            inputs.insert("akinci".into(), format!("{akinci:?}"));
+            // As printed these are out of units, and know what a metre is.
+            if akinci.curvature != Curvature::None
+                || akinci.normalisation == Normalisation::Printed
+                || akinci.reading == Reading::Acceleration
+            {
+                inputs.insert("density".into(), number(density));
+                inputs.insert("spacing".into(), number(self.spacing));
+                inputs.insert("surface_tension".into(), number(surface_tension));
+            }
+        }
+        if let Some(foot) = self.foot {
+            let degrees = foot.contact_angle.to_degrees();
+            inputs.insert("contact_angle".into(), format!("{degrees:.6} deg"));
+            inputs.insert("bears".into(), format!("{:?}", foot.bearing));
+        }
+        if let Pairwise::GaussianPair(form) = self.model {
+            inputs.insert("form".into(), format!("{form:?}"));
+        }
+        inputs
+    }
+}
