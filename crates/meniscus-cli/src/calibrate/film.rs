@@ -18,12 +18,13 @@ use crate::failure::Failure;
 
 /// Largest displacement at the start, in spacings: none of the lattice is left.
 const JITTER: f64 = 0.5;
-/// Time to come to rest, and that of the measurements after it, in sqrt(rho dx^3 / sigma).
+/// Time to come to rest, and that of the measurements after it, in sqrt(rho dx^3 / sigma), in the plane; in space,
+/// where a particle has more neighbours to lose its motion to, it is half of that.
 const REST: f64 = 60.0;
 const MEASURED: f64 = 20.0;
 /// How often it is measured.
 const TIMES: usize = 5;
-/// Rate of the drag over sqrt(sigma / (rho dx^3)).
+/// Rate of the drag times that unit.
 const DRAG: f64 = 0.06;
 
 /// Until when a film is held on its wall, in the same unit, and by what body force, over sigma / (rho dx^2): what its
@@ -122,9 +123,10 @@ impl Film {
         })
     }
 
-    /// sqrt(rho dx^3 / sigma), s
+    /// sqrt(rho dx^3 / sigma), s; half of it in space.
     fn time(&self) -> f64 {
-        (self.fluid.density * self.spacing.powi(3) / self.fluid.surface_tension).sqrt()
+        let share = if self.dimension == 2 { 1.0 } else { 0.5 };
+        share * (self.fluid.density * self.spacing.powi(3) / self.fluid.surface_tension).sqrt()
     }
 
     fn resolution(&self) -> Resolution {

@@ -151,7 +151,7 @@ pub fn known(path: &Path, case: &Case) -> Result<(Coefficients, Vec<String>), Fa
         .map(|(whose, entry)| format!("{}, from {}", sentence(*whose, entry), file.display()))
         .collect();
     lines.extend((missing.iter()).map(|what| {
-        format!("{what} is not measured yet: `meniscus run` does so first, in some seconds")
+        format!("{what} is not measured yet: `meniscus run` does so first: some seconds in the plane, minutes in space")
     }));
     Ok((coefficients, lines))
 }
