@@ -59,7 +59,11 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
         let name = &wall.name;
         let takes_angle = matches!(
             draft.physics.surface_tension,
-            Some(SurfaceTension::Balanced(_) | SurfaceTension::TotalVariation(_))
+            Some(
+                SurfaceTension::Balanced(_)
+                    | SurfaceTension::CapillaryPressure(_)
+                    | SurfaceTension::TotalVariation(_)
+            )
         );
         let is_coefficient = matches!(wall.adhesion, Adhesion::Coefficient(_));
         match model {
@@ -76,7 +80,7 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
                 span,
                 format!("\"{name}\" can not attract the fluid"),
                 "this model of surface tension knows no walls that attract",
-                "give a contact_angle, and surface_tension = \"total-variation\" under [physics]; or pairwise forces, such as \"akinci\"",
+                "give a contact_angle, and surface_tension = \"capillary-pressure\" under [physics]; or pairwise forces, such as \"akinci\"",
             ),
             Some(model) if is_coefficient && model.akinci().is_none() => say(
                 Severity::Error,

@@ -110,6 +110,7 @@ fn parameters(case: &Case) -> Vec<(String, String)> {
             Some(SurfaceTension::Continuum(_)) => "continuum surface force".into(),
             Some(SurfaceTension::Pairwise(model)) => format!("pairwise forces ({})", model.name()),
             None if scheme.van_der_waals.is_some() => "cohesion of a van der Waals fluid".into(),
+            Some(SurfaceTension::CapillaryPressure(_)) => "capillary pressure".into(),
             Some(SurfaceTension::TotalVariation(_)) => "total variation".into(),
             None => "none".into(),
         },

@@ -150,13 +150,14 @@ pub(crate) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
         }
     }
     validate_balanced(setup)?;
-    if matches!(
-        scheme.surface_tension,
-        Some(SurfaceTension::TotalVariation(_))
-    ) && setup.fluids.len() > 1
-    {
+    let on_mesh = match scheme.surface_tension {
+        Some(SurfaceTension::TotalVariation(_)) => Some("total variation"),
+        Some(SurfaceTension::CapillaryPressure(_)) => Some("capillary pressure"),
+        _ => None,
+    };
+    if let Some(model) = on_mesh.filter(|_| setup.fluids.len() > 1) {
         return complain(format!(
-            "total variation is for one fluid with a free surface, and there are {}: take the continuum model",
+            "{model} is for one fluid with a free surface, and there are {}: take the continuum model",
             setup.fluids.len()
         ));
     }
@@ -250,6 +251,7 @@ fn validate_adaptive_smoothing(scheme: &Scheme) -> Result<(), String> {
         scheme.surface_tension,
         Some(
             SurfaceTension::Balanced(_)
+                | SurfaceTension::CapillaryPressure(_)
                 | SurfaceTension::Continuum(_)
                 | SurfaceTension::Pairwise(_)
         )
@@ -333,12 +335,16 @@ fn validate_pairwise<const D: usize>(setup: &Setup<D>) -> Result<(), SetupError>
             (wall.adhesion, &scheme.surface_tension),
             (
                 Adhesion::ContactAngle(_),
-                Some(SurfaceTension::Balanced(_) | SurfaceTension::TotalVariation(_))
+                Some(
+                    SurfaceTension::Balanced(_)
+                        | SurfaceTension::CapillaryPressure(_)
+                        | SurfaceTension::TotalVariation(_)
+                )
             )
         );
         if wall.adhesion != Adhesion::None && model.is_none() && !takes_angle {
             return complain(format!(
-                "wall {index} has adhesion, which only pairwise forces and, as a contact angle, the balanced model and total variation know"
+                "wall {index} has adhesion, which only pairwise forces and, as a contact angle, capillary pressure, the balanced model and total variation know"
             ));
         }
         if matches!(wall.adhesion, Adhesion::Coefficient(_))

@@ -99,6 +99,20 @@ impl<const D: usize> Walls<D> {
         self.is_wall.get(usize::from(body)) == Some(&true)
     }
 
+    /// Whether each body is a wall, as far as there are walls.
+    pub(crate) fn bodies(&self) -> &[bool] {
+        &self.is_wall
+    }
+
+    /// Whether any of these rows is of a wall with liquid beside it.
+    pub(crate) fn has_wet_wall(
+        &self,
+        particles: &Particles<D>,
+        mut rows: std::ops::Range<usize>,
+    ) -> bool {
+        rows.any(|row| self.is_wall(particles.body[row]) && self.sums[row].weight > 0.0)
+    }
+
     /// Takes up a march that had come to `time`, s.
     pub(crate) fn resume(&mut self, time: f64) {
         self.time = time;
@@ -144,7 +158,7 @@ impl<const D: usize> Walls<D> {
     }
 
     /// Puts the particles where they are at `time`, s, with their velocities.
-    fn place(&mut self, pairs: &Pairs<D>, particles: &mut Particles<D>, time: f64) {
+    pub(crate) fn place(&mut self, pairs: &Pairs<D>, particles: &mut Particles<D>, time: f64) {
         if self.is_empty() {
             return;
         }
@@ -175,7 +189,8 @@ impl<const D: usize> Walls<D> {
     }
 
     /// Before the forces at `time`, s, in a body force of `gravity`, m/s^2: places, pressure,
-    /// density, and the velocity that viscous forces see.
+    /// density, and the velocity that viscous forces see. Where there is `capillary` pressure, sigma, N/m, and
+    /// kappa of each row, 1/m, that is the least there is at a wall, else zero.
     pub(crate) fn prepare(
         &mut self,
         pairs: &mut Pairs<D>,
@@ -183,6 +198,7 @@ impl<const D: usize> Walls<D> {
         equations_of_state: &[Tait],
         gravity: Vector<f64, D>,
         time: f64,
+        capillary: Option<(f64, &[f64])>,
     ) {
         if self.is_empty() {
             return;
@@ -209,10 +225,13 @@ impl<const D: usize> Walls<D> {
             if sum.weight > 0.0 {
                 let moved = self.moved(particles, row, time);
                 let pull = gravity - moved.map_or(Vector::ZERO, |moved| moved.acceleration);
-                // A wall pulls no more than the liquid beside it: above a water line the line goes
-                // on below zero, and would draw particles in.
+                // Above a water line the line goes on below the pressure that the surface there asks for, and
+                // would draw particles in. Where no model tells what that is, a wall pulls no more than
+                // the liquid beside it.
                 let beside = sum.pressure / sum.weight;
-                let least = beside.min(0.0).max(-self.tension);
+                let least = capillary.map_or(beside.min(0.0).max(-self.tension), |(sigma, kappa)| {
+                    sigma * kappa[row]
+                });
                 pressure = ((sum.pressure + pull.dot(&sum.head)) / sum.weight).max(least);
                 let share = 1.0 / sum.weight;
                 let wall = self.wall_of(particles, row).map(|wall| &self.walls[wall]);

@@ -6,12 +6,15 @@ mod common;
 use common::{fluid, free_drop, periodic_box};
 use meniscus::pairs::Instructions;
 use meniscus::physics::surface_tension::balanced::Balanced;
+use meniscus::physics::surface_tension::capillary_pressure::CapillaryPressure;
 use meniscus::physics::surface_tension::pairwise::Pairwise;
 use meniscus::physics::surface_tension::pairwise::akinci::{Akinci, Curvature};
 use meniscus::physics::surface_tension::total_variation::TotalVariation;
 use meniscus::physics::wall::layout::Layers;
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::{AdaptiveSmoothing, Adhesion, DensityForm, SurfaceTension, Wall};
+use meniscus::scheme::{
+    AdaptiveSmoothing, Adhesion, DensityForm, SurfaceTension, ViscosityForm, Wall,
+};
 use meniscus::{Particle, Precision, Setup, Simulation, Snapshot, Vector};
 
 fn march<const D: usize>(simulation: &mut Simulation<D>, steps: u64) {
@@ -146,6 +149,21 @@ fn balanced_surface_tension_keeps_the_promise_too() {
 fn total_variation_keeps_the_promise_too() {
     let mut setup = free_drop::<3>(0.3, 0.1);
     setup.scheme.surface_tension = Some(SurfaceTension::TotalVariation(TotalVariation));
+    same_on_threads(setup.clone());
+    same_after_resume(setup);
+}
+
+/// A drop, and one that wets a plate.
+#[test]
+fn capillary_pressure_keeps_the_promise_too() {
+    let mut setup = free_drop::<3>(0.3, 0.1);
+    setup.scheme.surface_tension = Some(SurfaceTension::CapillaryPressure(CapillaryPressure));
+    setup.scheme.viscosity = ViscosityForm::StressAndRest;
+    same_on_threads(setup.clone());
+    same_after_resume(setup);
+    let mut setup = free_drop::<2>(0.12, 0.1);
+    setup.scheme.surface_tension = Some(SurfaceTension::CapillaryPressure(CapillaryPressure));
+    add_plate(&mut setup, Adhesion::ContactAngle(1.2));
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }

@@ -49,13 +49,24 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
         );
         // What a model needs to be what it promises.
         let balanced = matches!(surface_tension, Some(SurfaceTension::Balanced(_)));
-        let or_balanced = |usual: &'static str, balanced_own: &'static str| {
-            if balanced { balanced_own } else { usual }
+        let capillary = matches!(surface_tension, Some(SurfaceTension::CapillaryPressure(_)));
+        let or_model = |usual: &'static str, of_balanced, of_capillary| {
+            if balanced {
+                of_balanced
+            } else if capillary {
+                of_capillary
+            } else {
+                usual
+            }
         };
         Physics {
             density: fields.or(
                 "density",
-                or_balanced(or_own("'continuity'", "'summation'"), "'corrected'"),
+                or_model(
+                    or_own("'continuity'", "'summation'"),
+                    "'corrected'",
+                    "'continuity'",
+                ),
                 "How density is found.",
                 |node| {
                     let names = [
@@ -84,7 +95,11 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
             ),
             pressure: fields.or(
                 "pressure",
-                or_balanced("'over-density-squared'", "'over-density-product'"),
+                or_model(
+                    "'over-density-squared'",
+                    "'over-density-product'",
+                    "'over-density-product'",
+                ),
                 "Form of the pressure gradient.",
                 |node| {
                     let names = [
@@ -97,19 +112,24 @@ pub(super) fn physics(node: &mut Node<'_>) -> Physics {
             ),
             artificial_viscosity: fields.or(
                 "artificial_viscosity",
-                or_own("0.1", "0.0"),
+                or_model(or_own("0.1", "0.0"), "0.1", "0.0"),
                 "alpha of the artificial viscosity.",
                 |node| node.number(Sign::NotNegative),
             ),
             viscosity: fields.or(
                 "viscosity",
-                or_balanced(or_own("'monaghan-cleary'", "'stress'"), "'stress'"),
+                or_model(
+                    or_own("'monaghan-cleary'", "'stress'"),
+                    "'stress'",
+                    "'stress-and-rest'",
+                ),
                 "Form of the viscous force, where a fluid has viscosity.",
                 |node| {
                     let names = [
                         ("monaghan-cleary", ViscosityForm::MonaghanCleary),
                         ("morris", ViscosityForm::Morris),
                         ("stress", ViscosityForm::Stress),
+                        ("stress-and-rest", ViscosityForm::StressAndRest),
                     ];
                     node.name_of("viscosity form", &names)
                 },

@@ -1,6 +1,7 @@
 //! Models of surface tension; `pairwise` has those of forces between pairs.
 
 use meniscus::physics::surface_tension::balanced::Balanced;
+use meniscus::physics::surface_tension::capillary_pressure::CapillaryPressure;
 use meniscus::physics::surface_tension::continuum::{Calibration, Continuum, Correction, Form};
 use meniscus::physics::surface_tension::curvature::Weighting;
 use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
@@ -15,6 +16,11 @@ pub(super) const SURFACE_TENSION: &[Choice<Option<SurfaceTension>>] = &[
         "balanced",
         "In balance with the pressure gradient, for one fluid with a free surface.",
         |node| node.table(|_| Some(SurfaceTension::Balanced(Balanced))),
+    ),
+    Choice::new(
+        "capillary-pressure",
+        "The pressure that the surface asks for, found on a mesh, for one fluid with a free surface and at walls.",
+        |node| node.table(|_| Some(SurfaceTension::CapillaryPressure(CapillaryPressure))),
     ),
     Choice::new(
         "jancik-hyhlik",

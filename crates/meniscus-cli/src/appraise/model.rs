@@ -14,8 +14,9 @@ const fn model(name: &'static str, wets: bool) -> Model {
 }
 
 /// All models of a free surface.
-pub const MODELS: [Model; 9] = [
-    model("balanced", false),
+pub const MODELS: [Model; 10] = [
+    model("capillary-pressure", true),
+    model("balanced", true),
     model("jancik-hyhlik", false),
     model("continuum", false),
     model("total-variation", true),

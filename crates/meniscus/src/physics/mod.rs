@@ -27,5 +27,6 @@ pub mod van_der_waals;
 pub mod velocity_gradient;
 pub mod velocity_smoothing;
 pub mod viscosity;
+pub mod viscous_rest;
 pub mod viscous_stress;
 pub mod wall;

@@ -336,7 +336,9 @@ impl<M: Material, P: PressureGradient, const D: usize> PairTerm<D> for Momentum<
                     monaghan_cleary(mean, &velocity_difference, density_product, ij)
                 }
                 // It is no sum over one pair.
-                ViscosityForm::Stress => velocity_difference * like.zero(),
+                ViscosityForm::Stress | ViscosityForm::StressAndRest => {
+                    velocity_difference * like.zero()
+                }
             } * mass;
         }
     }

@@ -30,6 +30,16 @@ pub enum ViscosityForm {
     /// The divergence of the stress of the velocity gradient, in sweeps of its own:
     /// [`crate::physics::viscous_stress`]
     Stress,
+    /// The same, and Morris's form of what its gradient leaves of the velocity: acts on motion at the
+    /// scale of particles too
+    StressAndRest,
+}
+
+impl ViscosityForm {
+    /// Whether it has sweeps of its own.
+    pub fn is_stress(self) -> bool {
+        matches!(self, ViscosityForm::Stress | ViscosityForm::StressAndRest)
+    }
 }
 
 /// Pi_ij, m^5/(kg s^2), of the artificial viscosity with `alpha_h` = alpha h.

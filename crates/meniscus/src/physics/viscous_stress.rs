@@ -11,13 +11,19 @@
 //! as well. No traction at a free surface.
 //!
 //! Brookshaw's short forms ([`super::viscosity`]) need one sweep, and damp motion
-//! at the scale of particles, which this form hardly sees.
+//! at the scale of particles, which this form hardly sees. It can be told to add Morris's form of what the
+//! gradient leaves:
+//!
+//! 1/rho_i sum_j V_j (mu_i + mu_j) (x_ij . grad W) / x_ij^2 [v_ij - 1/2 (G_i A_i^-1 + G_j A_j^-1) x_ij]
+//!
+//! nothing for a linear motion, and of the order of its third derivatives for a smooth one.
 
 use super::stress_divergence::{StressDivergence, Weight};
 use super::surface_tension::curvature::CorrectableDivergence;
 use super::surface_tension::gradient::LEAST_MATRIX;
 use super::surface_tension::matrix::Matrix;
 use super::velocity_gradient::VelocityGradient;
+use super::viscous_rest::{Rest, ViscousRest};
 use crate::fluid::Fluid;
 use crate::particles::Particles;
 use crate::term::Sweep;
@@ -28,16 +34,18 @@ use crate::vector::Vector;
 pub struct ViscousStress<const D: usize> {
     gradients: Vec<CorrectableDivergence<f64, D>>,
     stress: Vec<Matrix<f64, D>>,
+    rest: Vec<Rest<f64, D>>,
     force: Vec<Vector<f64, D>>,
 }
 
 impl<const D: usize> ViscousStress<D> {
-    /// Adds the viscous acceleration, m/s^2.
+    /// Adds the viscous acceleration, m/s^2; `with_rest`, that of what the gradient leaves, too.
     pub fn accelerate(
         &mut self,
         sweep: &mut impl Sweep<D>,
         particles: &Particles<D>,
         fluids: &[Fluid],
+        with_rest: bool,
         acceleration: &mut [Vector<f64, D>],
     ) {
         sweep.sweep(&VelocityGradient, particles, |_| true, &mut self.gradients);
@@ -64,10 +72,30 @@ impl<const D: usize> ViscousStress<D> {
             weight: Weight::Volume,
         };
         sweep.sweep(&term, particles, |_| true, &mut self.force);
-        for ((a, force), density) in
-            (acceleration.iter_mut().zip(&self.force)).zip(&particles.density)
-        {
-            *a += *force * (1.0 / density);
+        add(&self.force, particles, acceleration);
+        if with_rest {
+            self.rest.clear();
+            self.rest
+                .extend(self.gradients.iter().enumerate().map(|(i, sum)| Rest {
+                    volume: particles.volume(i),
+                    viscosity: fluids[particles.fluid[i] as usize].viscosity,
+                    velocity: particles.velocity[i],
+                    gradient: sum.gradient(),
+                }));
+            let term = ViscousRest { rest: &self.rest };
+            sweep.sweep(&term, particles, |_| true, &mut self.force);
+            add(&self.force, particles, acceleration);
         }
+    }
+}
+
+/// Adds forces per volume, N/m^3, to accelerations.
+fn add<const D: usize>(
+    force: &[Vector<f64, D>],
+    particles: &Particles<D>,
+    acceleration: &mut [Vector<f64, D>],
+) {
+    for ((a, force), density) in (acceleration.iter_mut().zip(force)).zip(&particles.density) {
+        *a += *force * (1.0 / density);
     }
 }

@@ -30,6 +30,7 @@ use crate::physics::momentum::{
 };
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::balanced::Wetting;
+use crate::physics::surface_tension::capillary_pressure::Closeness;
 use crate::physics::surface_tension::curvature::CorrectableDivergence;
 use crate::physics::surface_tension::pairwise::Pull;
 use crate::physics::surface_tension::pairwise::estimate::Resolution;
@@ -96,6 +97,10 @@ impl<const D: usize> Rates<D> {
         );
         let van_der_waals =
             (scheme.van_der_waals).map(|model| Cohesive::new(model, &scheme, &fluids, &mut pairs));
+        if let Some(SurfaceTension::CapillaryPressure(_)) = scheme.surface_tension {
+            let (kernel, smoothing_length) = Closeness::range(spacing);
+            pairs.set_second(kernel, smoothing_length);
+        }
         let pull = match scheme.surface_tension {
             Some(SurfaceTension::Pairwise(model)) => {
                 let resolution = Resolution {
@@ -144,13 +149,19 @@ impl<const D: usize> Rates<D> {
     /// Acceleration at `time` seconds.
     pub(crate) fn accelerate(&mut self, particles: &mut Particles<D>, time: f64) {
         let body_force = self.body_force(time);
+        let sigma = self.find_capillary_pressure(particles, time);
+        let capillary = sigma.map(|sigma| (sigma, &self.surface.curvature[..]));
         self.walls.prepare(
             &mut self.pairs,
             particles,
             &self.equations_of_state,
             body_force,
             time,
+            capillary,
         );
+        if let Some(sigma) = sigma {
+            self.take_capillary_pressure(sigma, particles);
+        }
         self.press_walls(particles);
         let mut acceleration = std::mem::take(&mut particles.acceleration);
         if let Some(fluid) = &mut self.van_der_waals {
@@ -159,8 +170,11 @@ impl<const D: usize> Rates<D> {
             self.push(particles, &mut acceleration);
         }
         self.push_by_grad_h(particles, &mut acceleration);
+        if let Some(sigma) = sigma {
+            self.give_capillary_pressure_back(sigma, particles, &mut acceleration);
+        }
         self.walls.bear(particles, &mut acceleration);
-        let stress = self.scheme.viscosity == ViscosityForm::Stress;
+        let stress = self.scheme.viscosity.is_stress();
         if stress && self.van_der_waals.is_none() && is_viscous(&self.fluids) {
             self.walls
                 .hide(particles, |wall| wall.slip == Slip::FreeSlip);
@@ -168,6 +182,7 @@ impl<const D: usize> Rates<D> {
                 &mut self.pairs,
                 particles,
                 &self.fluids,
+                self.scheme.viscosity == ViscosityForm::StressAndRest,
                 &mut acceleration,
             );
             self.walls.bear(particles, &mut acceleration);
@@ -286,7 +301,7 @@ pub(crate) fn momentum<M, P>(
     material: M,
     pressure: P,
 ) -> Momentum<M, P> {
-    let by_pairs = is_viscous(fluids) && scheme.viscosity != ViscosityForm::Stress;
+    let by_pairs = is_viscous(fluids) && !scheme.viscosity.is_stress();
     Momentum {
         material,
         pressure,

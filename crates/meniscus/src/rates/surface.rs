@@ -7,9 +7,13 @@ use crate::particles::Particles;
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::balanced;
 use crate::physics::surface_tension::bodies::Bodies;
+use crate::physics::surface_tension::capillary_pressure::{self, Closeness, Load};
 use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
+use crate::physics::surface_tension::mesh;
+use crate::physics::surface_tension::surface::Surface;
 use crate::physics::surface_tension::total_variation;
 use crate::scheme::Bearing;
+use crate::term::Sweep;
 use crate::vector::Vector;
 use crate::walls::Walls;
 
@@ -121,30 +125,105 @@ impl<const D: usize> Rates<D> {
                 );
             }
             Some(SurfaceTension::TotalVariation(model)) => {
-                let spacing = self.spacing;
-                let reach = total_variation::REACH * spacing;
-                self.free
-                    .find(&self.pairs, reach, particles, &self.walls, true);
-                let (walls, count, domain) = (&self.walls, self.free.count, self.pairs.domain());
-                let surroundings = total_variation::Surroundings {
-                    surface_tension: self.fluids[0].surface_tension,
-                    density: self.fluids[0].density,
-                    spacing,
-                    groups: Bodies {
-                        of_row: &self.free.groups,
-                        count,
-                        domain,
+                self.on_mesh(
+                    particles,
+                    total_variation::REACH,
+                    |surroundings, surface| {
+                        model.accelerate(particles, surroundings, surface, acceleration);
                     },
-                    free: Bodies {
-                        of_row: &self.free.of_row,
-                        count,
-                        domain,
-                    },
-                    wall: &|row| walls.wetting(particles, row),
-                };
-                model.accelerate(particles, &surroundings, &mut self.surface, acceleration);
+                );
+            }
+            Some(SurfaceTension::CapillaryPressure(_)) => {
+                self.surface.add_to(&particles.density, acceleration);
+                let fluid = &self.fluids[0];
+                let closeness = Closeness::new(fluid.surface_tension, fluid.density, self.spacing);
+                if let Some(near) = self.pairs.second() {
+                    near.sweep(&closeness, particles, |_| true, &mut self.vectors);
+                    for (a, push) in acceleration.iter_mut().zip(&self.vectors) {
+                        *a += *push;
+                    }
+                }
             }
             Some(SurfaceTension::Pairwise(_)) | None => {}
+        }
+    }
+
+    /// Calls for what a model on a mesh acts in, whose particles know of each other within `reach` spacings.
+    fn on_mesh(
+        &mut self,
+        particles: &Particles<D>,
+        reach: f64,
+        act: impl FnOnce(&mesh::Surroundings<'_, D>, &mut Surface<D>),
+    ) {
+        let (spacing, walls) = (self.spacing, &self.walls);
+        (self.free).find(&self.pairs, reach * spacing, particles, walls, true);
+        let (count, domain) = (self.free.count, self.pairs.domain());
+        let bodies = |of_row| Bodies {
+            of_row,
+            count,
+            domain,
+        };
+        let surroundings = mesh::Surroundings {
+            surface_tension: self.fluids[0].surface_tension,
+            density: self.fluids[0].density,
+            spacing,
+            groups: bodies(&self.free.groups),
+            free: bodies(&self.free.of_row),
+            wall: &|row| walls.wetting(particles, row),
+        };
+        act(&surroundings, &mut self.surface);
+    }
+
+    /// Finds kappa of capillary pressure at `time`, s, where the model does, into the surface's curvature. Returns sigma, N/m.
+    pub(super) fn find_capillary_pressure(
+        &mut self,
+        particles: &mut Particles<D>,
+        time: f64,
+    ) -> Option<f64> {
+        let Some(SurfaceTension::CapillaryPressure(model)) = self.scheme.surface_tension else {
+            return None;
+        };
+        self.walls.place(&self.pairs, particles, time);
+        self.on_mesh(
+            particles,
+            capillary_pressure::REACH,
+            |surroundings, surface| model.find(particles, surroundings, surface),
+        );
+        Some(self.fluids[0].surface_tension)
+    }
+
+    /// Takes capillary pressure off the pressure.
+    pub(super) fn take_capillary_pressure(&self, sigma: f64, particles: &mut Particles<D>) {
+        for (pressure, curvature) in particles.pressure.iter_mut().zip(&self.surface.curvature) {
+            *pressure -= sigma * curvature;
+        }
+    }
+
+    /// Gives capillary pressure back, and adds what walls bear of it to their accelerations, m/s^2.
+    pub(super) fn give_capillary_pressure_back(
+        &mut self,
+        sigma: f64,
+        particles: &mut Particles<D>,
+        acceleration: &mut [Vector<f64, D>],
+    ) {
+        for (pressure, curvature) in particles.pressure.iter_mut().zip(&self.surface.curvature) {
+            *pressure += sigma * curvature;
+        }
+        if self.walls.is_empty() {
+            return;
+        }
+        let load = Load {
+            curvature: &self.surface.curvature,
+            surface_tension: sigma,
+            is_wall: self.walls.bodies(),
+        };
+        let walls = &self.walls;
+        let of_wet_wall = |rows| walls.has_wet_wall(particles, rows);
+        (self.pairs).sweep(&load, particles, of_wet_wall, &mut self.vectors);
+        for (row, a) in acceleration.iter_mut().enumerate() {
+            if walls.is_wall(particles.body[row]) {
+                *a += self.vectors[row] * (1.0 / particles.density[row]);
+            }
         }
     }
 

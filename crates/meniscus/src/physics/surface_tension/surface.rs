@@ -1,6 +1,6 @@
 //! What a model of the surface finds on the way.
 
-use super::{balanced, continuum, jancik_hyhlik, total_variation};
+use super::{balanced, capillary_pressure, continuum, jancik_hyhlik, total_variation};
 use crate::particles::Particles;
 use crate::vector::Vector;
 
@@ -11,7 +11,7 @@ pub struct Surface<const D: usize> {
     pub colour: Vec<f64>,
     /// n, 1/m, pointing into the liquid.
     pub normal: Vec<Vector<f64, D>>,
-    /// Curvature, 1/m: positive for a convex surface; zero away from the surface.
+    /// Curvature, 1/m: positive for a convex surface. Away from it zero, or that of the surface nearby.
     pub curvature: Vec<f64>,
     /// Force per volume, N/m^3.
     pub force: Vec<Vector<f64, D>>,
@@ -26,6 +26,7 @@ pub struct Surface<const D: usize> {
     pub(super) balanced: balanced::Scratch<D>,
     pub(super) jancik_hyhlik: jancik_hyhlik::Scratch<D>,
     pub(super) continuum: continuum::Scratch<D>,
+    pub(super) capillary_pressure: capillary_pressure::Scratch<D>,
     pub(super) total_variation: total_variation::Scratch<D>,
 }
 

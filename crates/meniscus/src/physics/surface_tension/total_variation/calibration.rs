@@ -1,7 +1,7 @@
 //! What either term of the energy costs on a flat surface.
 
 use super::energy::{Calibrated, terms};
-use super::mesh::spline;
+use crate::physics::surface_tension::mesh::spline;
 
 /// Places of the surface between two nodes, and slices of liquid between two nodes.
 const PLACES: usize = 16;

@@ -22,23 +22,20 @@
 //! once a remainder of the mesh is taken off ([`super::bodies`]). The pull of a contact line on its wall is not
 //! part of the wall's load.
 //!
-//! - `mesh`: spreading, smoothing, gradients
 //! - `energy`: of a node
 //! - `calibration`: by a flat surface
 
 mod calibration;
 mod energy;
-mod mesh;
 
 use rayon::prelude::*;
 
-use super::bodies::{Bodies, balance};
+use super::bodies::balance;
+use super::mesh::{Layered, Mesh, Surroundings};
 use super::surface::Surface;
-use crate::domain::Domain;
 use crate::particles::Particles;
 use crate::vector::Vector;
 use energy::{Calibrated, Node, Slopes};
-use mesh::{Layered, Mesh};
 
 /// The model; it has no parameter.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -50,22 +47,6 @@ const PASSES: usize = 5;
 const MARGIN: i64 = 2 * PASSES as i64 + 5;
 /// Spacings beyond which two particles know nothing of each other.
 pub const REACH: f64 = 2.0 * (PASSES as f64 + 2.0) + 2.0;
-
-/// What the model acts in.
-pub struct Surroundings<'a, const D: usize> {
-    /// sigma, N/m
-    pub surface_tension: f64,
-    /// rho_0, kg/m^3
-    pub density: f64,
-    /// dx, m
-    pub spacing: f64,
-    /// Which particles are within each other's [`REACH`], walls among them.
-    pub groups: Bodies<'a, D>,
-    /// Those that no wall holds.
-    pub free: Bodies<'a, D>,
-    /// cos(theta) of the wall that a row belongs to; none for the liquid.
-    pub wall: &'a dyn Fn(usize) -> Option<f64>,
-}
 
 /// Columns that the model needs on its way.
 #[derive(Debug, Default)]
@@ -81,7 +62,7 @@ pub(super) struct Scratch<const D: usize> {
     slopes: Vec<Vector<f64, D>>,
     spare: Vec<f64>,
     points: Vec<Vector<f64, D>>,
-    gradients: Vec<Vector<f64, D>>,
+    felt: Vec<(f64, Vector<f64, D>)>,
 }
 
 impl TotalVariation {
@@ -96,12 +77,7 @@ impl TotalVariation {
         let mut scratch = std::mem::take(&mut surface.total_variation);
         surface.force.clear();
         surface.force.resize(particles.len(), Vector::ZERO);
-        let groups = &surroundings.groups;
-        scratch.rows.iter_mut().for_each(Vec::clear);
-        scratch.rows.resize(groups.count, Vec::new());
-        for (row, &group) in (0..).zip(groups.of_row) {
-            scratch.rows[group as usize].push(row);
-        }
+        surroundings.list_rows(&mut scratch.rows);
         let rows = std::mem::take(&mut scratch.rows);
         for rows in &rows {
             scratch.pull(particles, rows, surroundings, &mut surface.force);
@@ -129,33 +105,17 @@ impl<const D: usize> Scratch<D> {
             wall,
             ..
         } = surroundings;
-        let position = |row: &u32| particles.position[*row as usize];
-        let is_liquid = |row: &&u32| wall(**row as usize).is_none();
-        let liquid = || rows.iter().filter(is_liquid);
-        let Some(mesh) = Mesh::around(liquid().map(position), spacing, MARGIN) else {
+        let (liquid, walls) = (&mut self.liquid, &mut self.walls);
+        let Some(mesh) = surroundings.mesh(particles, rows, MARGIN, liquid, walls) else {
             return;
         };
-        self.liquid.clear();
-        self.walls.clear();
-        let volume = density * spacing.powi(D as i32);
-        for row in rows {
-            let i = *row as usize;
-            for_each_image(
-                &surroundings.groups.domain,
-                particles.position[i],
-                &mut |x| match wall(i) {
-                    _ if !mesh.holds(&x) => {}
-                    None => self.liquid.push(x, [particles.mass[i] / volume, 0.0]),
-                    Some(cosine) => self.walls.push(x, [1.0, cosine]),
-                },
-            );
-        }
         self.find_potential(&mesh);
+        let liquid = || rows.iter().filter(|row| wall(**row as usize).is_none());
         self.points.clear();
-        self.points.extend(liquid().map(position));
-        mesh.gradients(&self.potential, &self.points, &mut self.gradients);
+        (self.points).extend(liquid().map(|&row| particles.position[row as usize]));
+        mesh.feel(&self.potential, &self.points, &mut self.felt);
         let scale = surface_tension / (density * spacing);
-        for (&row, gradient) in liquid().zip(&self.gradients) {
+        for (&row, (_, gradient)) in liquid().zip(&self.felt) {
             let i = row as usize;
             force[i] = *gradient * (-scale * particles.density[i]);
         }
@@ -235,28 +195,5 @@ impl<const D: usize> Scratch<D> {
             }
         });
         mesh.smooth(potential, spare, PASSES);
-    }
-}
-
-/// Calls for a point and its periodic images next to the box.
-fn for_each_image<const D: usize>(
-    domain: &Domain<D>,
-    x: Vector<f64, D>,
-    call: &mut impl FnMut(Vector<f64, D>),
-) {
-    let combinations = 3_usize.pow(D as u32);
-    for combination in 0..combinations {
-        let (mut rest, mut image, mut exists) = (combination, x, true);
-        for d in 0..D {
-            let shift = [0.0, 1.0, -1.0][rest % 3];
-            rest /= 3;
-            match domain.periodic[d] {
-                Some((low, high)) => image[d] += shift * (high - low),
-                None => exists &= shift == 0.0,
-            }
-        }
-        if exists {
-            call(image);
-        }
     }
 }

@@ -1,0 +1,58 @@
+//! Particles that come too near push each other: where p - q vanishes nothing else keeps them apart. Along
+//! the line of centres, so that linear and angular momentum are kept:
+//!
+//! rho_0 a_i = K sigma / dx^3 sum_j (0.8 dx - x_ij) x_ij / |x_ij|
+
+use crate::kernel::Kernel;
+use crate::particles::Particles;
+use crate::real::Real;
+use crate::term::{Pair, PairTerm};
+use crate::vector::Vector;
+
+/// Spacings nearer than which particles push each other.
+const REST: f64 = 0.8;
+/// K: as stiff as a capillary wave of about two spacings, which the steps resolve.
+const STIFFNESS: f64 = 5.0;
+
+/// Sums to an acceleration, m/s^2.
+#[derive(Clone, Copy, Debug)]
+pub struct Closeness {
+    /// 0.8 dx, m
+    rest: f64,
+    /// K sigma / (rho_0 dx^3), 1/s^2
+    stiffness: f64,
+}
+
+impl Closeness {
+    /// Of a surface tension in N/m, a density at rest in kg/m^3 and a spacing in m.
+    pub fn new(surface_tension: f64, density: f64, spacing: f64) -> Self {
+        Self {
+            rest: REST * spacing,
+            stiffness: STIFFNESS * surface_tension / (density * spacing.powi(3)),
+        }
+    }
+
+    /// The kernel and smoothing length whose lists hold the pairs that push.
+    pub fn range(spacing: f64) -> (Kernel, f64) {
+        let kernel = Kernel::WendlandC2;
+        (kernel, REST * spacing / kernel.support())
+    }
+}
+
+impl<const D: usize> PairTerm<D> for Closeness {
+    /// One for the liquid, zero for walls, which push by their pressure.
+    type Record<R: Real> = R;
+    type Sum<R: Real> = Vector<R, D>;
+    const OFTEN: bool = false;
+
+    fn record(&self, particles: &Particles<D>, i: usize) -> f64 {
+        if particles.mass[i] > 0.0 { 1.0 } else { 0.0 }
+    }
+
+    #[inline(always)]
+    fn pair<R: Real>(&self, i: &R, j: &R, ij: &Pair<R, D>, sum: &mut Vector<R, D>) {
+        let distance = (ij.distance_squared + ij.distance_squared.tiny()).sqrt();
+        let close = (distance.literal(self.rest) - distance).positive();
+        *sum += ij.offset * (close * self.stiffness / distance * *i * *j);
+    }
+}

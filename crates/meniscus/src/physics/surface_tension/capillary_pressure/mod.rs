@@ -1,0 +1,139 @@
+//! Capillary pressure, for one fluid with a free surface and at walls.
+//!
+//! A free surface asks for the pressure sigma kappa; inside the liquid it can go on in any smooth way q, if
+//! the momentum equation is
+//!
+//! m_i a_i = -sum_j V_i V_j (p_i - q_i + p_j - q_j) grad W_ij - V_i grad q(x_i)
+//!
+//! The sum knows the condition p - q = 0 of a free surface, and near it there is next to nothing to sum: particles in disorder
+//! push each other by what p - q is, not by p, and a liquid under a hollow surface, where p < 0, is not torn apart. The
+//! gradient is that of a field on a mesh, exact for whatever particles.
+//!
+//! The field is found in a few passes over a mesh of the particles' spacing ([`nodes`]): smoothed colour, curvature of its
+//! level sets, the mean of that over the surface, sharpened by what the smoothing took from long ripples. At the contact line
+//! q feels how far the angle is from that of Young, as in the derivative of an energy, the area of the surface and the wet wall's.
+//!
+//! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
+//! other ([`closeness`]). Forces and moments of each free body are balanced ([`super::bodies`]).
+//!
+//! Walls take the pressure p - q of the liquid beside them, and bear q itself ([`load`]); the pull of a contact line
+//! on its wall is not part of the wall's load.
+
+mod closeness;
+mod load;
+mod nodes;
+
+pub use closeness::Closeness;
+pub use load::Load;
+
+use super::bodies::balance;
+use super::mesh::{Layered, Surroundings};
+use super::surface::Surface;
+use crate::particles::Particles;
+use crate::vector::Vector;
+use nodes::{MARGIN, Nodes, PERIODIC_MARGIN};
+
+/// The model; it has no parameter.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CapillaryPressure;
+
+/// Spacings beyond which two particles do not know of each other.
+pub const REACH: f64 = 12.0;
+/// Colour below which a particle stands out of the surface; those of a flat one have more than a half.
+const STANDING_OUT: f64 = 0.4;
+/// Colour above which a node is inside, and nothing is looked for around it.
+const INSIDE: f64 = 0.95;
+
+/// Columns that the model needs on its way.
+#[derive(Debug, Default)]
+pub(super) struct Scratch<const D: usize> {
+    rows: Vec<Vec<u32>>,
+    liquid: Layered<D>,
+    walls: Layered<D>,
+    nodes: Nodes<D>,
+    held: Vec<u32>,
+    points: Vec<Vector<f64, D>>,
+    felt: Vec<(f64, Vector<f64, D>)>,
+}
+
+impl CapillaryPressure {
+    /// Finds kappa = q / sigma of liquid and walls, into the surface's curvature, and the force per volume by grad q and
+    /// on particles that stand out.
+    pub(crate) fn find<const D: usize>(
+        &self,
+        particles: &Particles<D>,
+        surroundings: &Surroundings<'_, D>,
+        surface: &mut Surface<D>,
+    ) {
+        let count = particles.len();
+        for column in [&mut surface.force, &mut surface.normal] {
+            column.clear();
+            column.resize(count, Vector::ZERO);
+        }
+        surface.curvature.clear();
+        surface.curvature.resize(count, 0.0);
+        surface.colour.clear();
+        surface.colour.resize(count, 1.0);
+        surface.active = 0;
+        let mut scratch = std::mem::take(&mut surface.capillary_pressure);
+        surroundings.list_rows(&mut scratch.rows);
+        let rows = std::mem::take(&mut scratch.rows);
+        for rows in &rows {
+            scratch.pull(particles, rows, surroundings, surface);
+        }
+        scratch.rows = rows;
+        surface.capillary_pressure = scratch;
+        surface.net_force = balance(surroundings.free, particles, |_| None, &mut surface.force);
+    }
+}
+
+impl<const D: usize> Scratch<D> {
+    /// What one group has.
+    fn pull(
+        &mut self,
+        particles: &Particles<D>,
+        rows: &[u32],
+        surroundings: &Surroundings<'_, D>,
+        surface: &mut Surface<D>,
+    ) {
+        let domain = &surroundings.groups.domain;
+        let repeats = domain.periodic.iter().any(Option::is_some);
+        let margin = if repeats { PERIODIC_MARGIN } else { MARGIN };
+        let (liquid, walls) = (&mut self.liquid, &mut self.walls);
+        let Some(mesh) = surroundings.mesh(particles, rows, margin, liquid, walls) else {
+            return;
+        };
+        self.nodes.find(&mesh, liquid, walls);
+        self.held.clear();
+        let holds = |row: &&u32| mesh.holds(&particles.position[**row as usize]);
+        self.held.extend(rows.iter().filter(holds));
+        self.points.clear();
+        (self.points).extend(
+            self.held
+                .iter()
+                .map(|&row| particles.position[row as usize]),
+        );
+        mesh.feel(&self.nodes.curvature, &self.points, &mut self.felt);
+        let (sigma, spacing) = (surroundings.surface_tension, surroundings.spacing);
+        for ((&row, x), (curvature, gradient)) in
+            (self.held.iter().zip(&self.points)).zip(&self.felt)
+        {
+            let i = row as usize;
+            surface.curvature[i] = curvature / spacing;
+            if (surroundings.wall)(i).is_some() {
+                continue;
+            }
+            let mut force = *gradient * (-sigma / spacing);
+            let colour = &self.nodes.colour;
+            if colour[mesh.nearest(x)] < INSIDE {
+                let (colour, inward) = mesh.feel_at(colour, x);
+                surface.active += 1;
+                surface.colour[i] = colour;
+                surface.normal[i] = inward;
+                let out = (STANDING_OUT - colour).max(0.0) / (STANDING_OUT * STANDING_OUT);
+                force += inward * (out * sigma / spacing);
+            }
+            surface.force[i] = force;
+        }
+    }
+}

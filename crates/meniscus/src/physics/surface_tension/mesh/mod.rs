@@ -1,0 +1,243 @@
+//! A mesh under particles: what they spread on it, and what they feel of a field on it.
+//!
+//! A particle spreads by the cubic B-spline, on four nodes along each axis, and feels the gradient of
+//! the same spline. Nodes lie at whole multiples of the spacing, wherever the particles are. Tasks work on
+//! layers of nodes across the first axis; what a node adds up, it adds in one order for any number of threads.
+//!
+//! - `spread`: what particles spread
+//! - `interpolate`: what they feel
+//! - `stencil`: differences and smoothing
+//! - `fill`: values where a field has none
+//! - `surroundings`: what a model on a mesh acts in
+
+mod fill;
+mod interpolate;
+mod spread;
+mod stencil;
+mod surroundings;
+
+pub(super) use fill::Fill;
+pub(super) use spread::Layered;
+pub use surroundings::Surroundings;
+
+use crate::vector::Vector;
+
+/// Layers of nodes that one task works on.
+const LAYERS_PER_TASK: usize = 8;
+/// Nodes from the origin beyond which no point is looked for.
+const FARTHEST: f64 = 1e12;
+
+/// Nodes around some points.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mesh<const D: usize> {
+    /// Distance of nodes, m.
+    pub spacing: f64,
+    low: [i64; D],
+    size: [usize; D],
+    stride: [usize; D],
+}
+
+/// Values of the cubic B-spline at the four nodes around a place t in [0, 1) between the two in the
+/// middle, and its slopes there.
+pub(super) fn spline(t: f64) -> ([f64; 4], [f64; 4]) {
+    let u = 1.0 - t;
+    let value = [
+        u * u * u / 6.0,
+        (t * t * (3.0 * t - 6.0) + 4.0) / 6.0,
+        (u * u * (3.0 * u - 6.0) + 4.0) / 6.0,
+        t * t * t / 6.0,
+    ];
+    let slope = [
+        -0.5 * u * u,
+        t * (1.5 * t - 2.0),
+        -u * (1.5 * u - 2.0),
+        0.5 * t * t,
+    ];
+    (value, slope)
+}
+
+/// Where a point lies: layer and node of its first four nodes, values and slopes along each axis.
+struct Touched<const D: usize> {
+    layer: usize,
+    first: usize,
+    values: [[f64; 4]; D],
+    slopes: [[f64; 4]; D],
+}
+
+impl<const D: usize> Mesh<D> {
+    /// The mesh that reaches `margin` nodes beyond all points; none without a point, or with one at no place
+    /// or out of all bounds, as of a flow that blows up.
+    pub fn around(
+        points: impl Iterator<Item = Vector<f64, D>>,
+        spacing: f64,
+        margin: i64,
+    ) -> Option<Self> {
+        let mut low = [i64::MAX; D];
+        let mut high = [i64::MIN; D];
+        for x in points {
+            // A NaN is not less.
+            if !x.0.iter().all(|x| x.abs() < FARTHEST * spacing) {
+                return None;
+            }
+            for d in 0..D {
+                let node = (x[d] / spacing).floor() as i64;
+                low[d] = low[d].min(node);
+                high[d] = high[d].max(node);
+            }
+        }
+        if low[0] > high[0] {
+            return None;
+        }
+        let size: [usize; D] =
+            std::array::from_fn(|d| (high[d] - low[d] + 1 + 2 * margin) as usize);
+        let mut stride = [1; D];
+        for d in (1..D).rev() {
+            stride[d - 1] = stride[d] * size[d];
+        }
+        Some(Self {
+            spacing,
+            low: low.map(|low| low - margin),
+            size,
+            stride,
+        })
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.size.iter().product()
+    }
+
+    /// Nodes that one task works on.
+    pub fn nodes_per_task(&self) -> usize {
+        LAYERS_PER_TASK * self.stride[0]
+    }
+
+    /// Whether a point's spline lies inside, with a node to spare.
+    pub fn holds(&self, x: &Vector<f64, D>) -> bool {
+        (0..D).all(|d| {
+            let index = (x[d] / self.spacing).floor() as i64 - self.low[d];
+            (2..self.size[d] as i64 - 3).contains(&index)
+        })
+    }
+
+    /// The node nearest to a point inside.
+    pub fn nearest(&self, x: &Vector<f64, D>) -> usize {
+        let index = |d: usize| ((x[d] / self.spacing).round() as i64 - self.low[d]) as usize;
+        (0..D).map(|d| index(d) * self.stride[d]).sum()
+    }
+
+    /// The nodes on either side along an axis.
+    pub fn beside(&self, node: usize, axis: usize) -> [usize; 2] {
+        [node - self.stride[axis], node + self.stride[axis]]
+    }
+
+    fn touched(&self, x: &Vector<f64, D>) -> Touched<D> {
+        let mut touched = Touched {
+            layer: 0,
+            first: 0,
+            values: [[0.0; 4]; D],
+            slopes: [[0.0; 4]; D],
+        };
+        for d in 0..D {
+            let place = x[d] / self.spacing;
+            let node = place.floor();
+            let index = (node as i64 - 1 - self.low[d]) as usize;
+            if d == 0 {
+                touched.layer = index;
+            }
+            touched.first += index * self.stride[d];
+            (touched.values[d], touched.slopes[d]) = spline(place - node);
+        }
+        touched
+    }
+
+    /// The start of the `k`-th row of four nodes, and the product of weights on all axes but the last.
+    fn row<'a>(
+        &self,
+        at: &Touched<D>,
+        k: usize,
+        weights: impl Fn(usize) -> &'a [f64; 4],
+    ) -> (usize, f64) {
+        let (mut rest, mut start, mut weight) = (k, at.first, 1.0);
+        for d in 0..D - 1 {
+            start += rest % 4 * self.stride[d];
+            weight *= weights(d)[rest % 4];
+            rest /= 4;
+        }
+        (start, weight)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_at_no_place_have_no_mesh() {
+        for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
+            let points = [Vector([0.0, 1.0]), Vector([x, 0.0])];
+            assert!(Mesh::around(points.into_iter(), 1.0, 5).is_none());
+        }
+    }
+
+    /// A few points spread what they have, and feel the gradient of the same splines.
+    #[test]
+    fn splines_keep_what_is_spread_and_reproduce_linear_fields() {
+        let mut points = Layered::<3>::default();
+        let place = |k: usize| {
+            Vector([0.7, 1.3, 2.1].map(|c: f64| (c * (k as f64 + 0.4)).fract() * 40.0 - 7.0))
+        };
+        for k in 0..50 {
+            points.push(place(k), [1.0, 2.0]);
+        }
+        let mesh = Mesh::around((0..50).map(place), 1.5, 12).unwrap();
+        let mut fields = [vec![0.0; mesh.len()], vec![0.0; mesh.len()]];
+        let [a, b] = &mut fields;
+        mesh.spread(&mut points, [a, b]);
+        let mut spare = Vec::new();
+        mesh.smooth(a, &mut spare, 5);
+        assert!((a.iter().sum::<f64>() - 50.0).abs() < 1e-12);
+        assert!((b.iter().sum::<f64>() - 100.0).abs() < 1e-12);
+
+        let slope = Vector([0.3, -1.0, 2.0]);
+        let linear: Vec<f64> = (0..mesh.len())
+            .map(|node| {
+                let mut rest = node;
+                (0..3)
+                    .map(|d| {
+                        let index = rest / mesh.stride[d];
+                        rest %= mesh.stride[d];
+                        slope[d] * (index as i64 + mesh.low[d]) as f64 * 1.5
+                    })
+                    .sum()
+            })
+            .collect();
+        let mut found = Vec::new();
+        mesh.feel(&linear, &[place(3), place(8)], &mut found);
+        for ((value, gradient), k) in found.into_iter().zip([3, 8]) {
+            assert!((value - slope.dot(&place(k))).abs() < 1e-10, "{value}");
+            assert!((gradient - slope).norm() < 1e-11, "{gradient:?}");
+        }
+    }
+
+    /// A field known beside one corner alone is the same everywhere where it is the same there, and never
+    /// leaves its bounds.
+    #[test]
+    fn filling_stays_within_what_is_known() {
+        let points = [Vector([0.0, 0.0]), Vector([20.0, 33.0])];
+        let mesh = Mesh::around(points.into_iter(), 1.0, 3).unwrap();
+        let mut fill = Fill::default();
+        let known = |node: usize| node % 7 == 0 && node < mesh.len() / 3;
+        let weight: Vec<f64> = (0..mesh.len())
+            .map(|node| if known(node) { 1.0 } else { 0.0 })
+            .collect();
+        let mut same: Vec<f64> = weight.iter().map(|weight| 3.0 * weight).collect();
+        mesh.fill(&mut same, &weight, 0.1, &mut fill);
+        assert!(same.iter().all(|value| (value - 3.0).abs() < 1e-12));
+        let mut varied: Vec<f64> = (0..mesh.len())
+            .map(|node| weight[node] * (node % 5) as f64)
+            .collect();
+        mesh.fill(&mut varied, &weight, 0.1, &mut fill);
+        assert!(varied.iter().all(|value| (0.0..=4.0).contains(value)));
+    }
+}

@@ -1,0 +1,79 @@
+//! Differences of a field on a mesh, and its smoothing.
+
+use rayon::prelude::*;
+
+use super::Mesh;
+use crate::vector::Vector;
+
+impl<const D: usize> Mesh<D> {
+    /// Half the difference of the nodes on either side, along each axis.
+    pub fn difference(&self, of: &[f64], node: usize) -> Vector<f64, D> {
+        Vector(std::array::from_fn(|d| {
+            let s = self.stride[d];
+            0.5 * (of[node + s] - of[node - s])
+        }))
+    }
+
+    /// Half the sum of the differences of each component along its axis.
+    pub fn divergence(&self, of: &[Vector<f64, D>], node: usize) -> f64 {
+        (0..D)
+            .map(|d| {
+                let s = self.stride[d];
+                0.5 * (of[node + s][d] - of[node - s][d])
+            })
+            .sum()
+    }
+
+    /// The nodes that have neighbours on all sides in memory, at corners too.
+    pub fn inner(&self) -> std::ops::Range<usize> {
+        let farthest: usize = self.stride.iter().sum();
+        farthest..self.len() - farthest
+    }
+
+    /// Passes of 1/4, 1/2, 1/4 along each axis: each adds half a squared spacing to the variance
+    /// of what was spread. It must not reach the edge.
+    pub fn smooth(&self, values: &mut Vec<f64>, spare: &mut Vec<f64>, passes: usize) {
+        spare.resize(values.len(), 0.0);
+        let (nodes, inner) = (self.nodes_per_task(), self.inner());
+        for axis in 0..D {
+            let s = self.stride[axis];
+            for _ in 0..passes {
+                let from = &*values;
+                (spare.par_chunks_mut(nodes).enumerate()).for_each(|(task, to)| {
+                    let first = task * nodes;
+                    let (low, high) = (inner.start.max(first), inner.end.min(first + to.len()));
+                    for i in low..high {
+                        to[i - first] = 0.5 * from[i] + 0.25 * (from[i - s] + from[i + s]);
+                    }
+                });
+                std::mem::swap(values, spare);
+            }
+        }
+    }
+
+    /// Weights of the nodes around one, by their distance in memory, that give the gradient at a node of the
+    /// field that cubic splines make of values at the nodes.
+    pub fn gradient_stencil(&self) -> Vec<(isize, Vector<f64, D>)> {
+        const VALUES: [f64; 3] = [1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0];
+        const SLOPES: [f64; 3] = [-0.5, 0.0, 0.5];
+        let around = (0..3_usize.pow(D as u32)).map(|k| {
+            let at: [usize; D] = std::array::from_fn(|d| k / 3_usize.pow(d as u32) % 3);
+            let mut away = 0;
+            let mut weight = [1.0; D];
+            for d in 0..D {
+                away += (at[d] as isize - 1) * self.stride[d] as isize;
+                for (axis, weight) in weight.iter_mut().enumerate() {
+                    *weight *= if d == axis {
+                        SLOPES[at[d]]
+                    } else {
+                        VALUES[at[d]]
+                    };
+                }
+            }
+            (away, Vector(weight))
+        });
+        around
+            .filter(|(_, weight)| *weight != Vector::ZERO)
+            .collect()
+    }
+}

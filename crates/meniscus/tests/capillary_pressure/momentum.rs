@@ -1,0 +1,61 @@
+//! What forces add up to, and what walls bear.
+
+use meniscus::measure::linear_momentum;
+use meniscus::physics::wall::layout::Layers;
+use meniscus::scheme::{Adhesion, BodyForce, Wall};
+use meniscus::{Particle, Simulation, Vector};
+
+use crate::common::ten_steps;
+use crate::liquid;
+
+/// Of some hundred particles' sums.
+const ROUNDING: f64 = 1e-12;
+
+#[test]
+fn each_body_keeps_its_momentum() {
+    let offset = Vector([38.0, 0.0]);
+    let setup = liquid::<2>(50.0, 0.3, 0.1, |x| {
+        x.norm() < 7.0 || ((x - offset).norm() < 7.0 && x[1] > -2.0)
+    });
+    let mut simulation = Simulation::new(setup).expect("a sound setup");
+    let (forces, _) = ten_steps(&mut simulation);
+    let p = simulation.particles();
+    for near in [true, false] {
+        let rows = (0..p.len()).filter(|&i| (p.position[i][0] < 19.0) == near);
+        let velocity: Vec<_> = rows.map(|i| p.velocity[i]).collect();
+        let linear = linear_momentum(&velocity, &vec![1.0; velocity.len()]).norm();
+        assert!(linear < ROUNDING * forces, "{linear:e} of {forces}");
+    }
+}
+
+/// A drop under its weight at 90 degrees pulls its plate sideways only: the plate bears the weight.
+#[test]
+fn a_plate_bears_the_weight_of_a_drop() {
+    let radius = 8.0;
+    let mut setup = liquid::<2>(radius, 0.0, 1.0, |x| x[1] > 0.0 && x.norm() < radius);
+    let weight = 0.002 * setup.particles.len() as f64;
+    let plate = (Layers::new(1.0, 4.0, 10_000)).plane(Vector::ZERO, Vector([0.0, 1.0]), 40.0);
+    (setup.particles).extend(plate.expect("it fits").iter().map(|&position| Particle {
+        position,
+        velocity: Vector::ZERO,
+        mass: 1.0,
+        fluid: 0,
+        body: 1,
+    }));
+    setup.scheme.body_force = Some(BodyForce::Constant([0.0, -0.002, 0.0]));
+    setup.scheme.damping = 0.3;
+    setup.scheme.walls = vec![Wall {
+        adhesion: Adhesion::ContactAngle(std::f64::consts::FRAC_PI_2),
+        ..Wall::new(1)
+    }];
+    let mut simulation = Simulation::new(setup).expect("a sound setup");
+    simulation.advance_to(150.0).expect("a drop at rest");
+    let force = simulation.wall_loads()[0].force;
+    // Upwards the line of contact pulls by sigma sin(theta) at either end, which is no part of the load.
+    let laplace = 2.0;
+    assert!(
+        (force[1] + weight + laplace).abs() < 0.15 * laplace,
+        "{force:?} of {weight}"
+    );
+    assert!(force[0].abs() < 0.05 * laplace, "{force:?}");
+}
