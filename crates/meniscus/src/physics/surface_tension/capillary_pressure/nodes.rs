@@ -3,18 +3,23 @@
 //!
 //! - C = S sum_j V0 B(x - x_j), and of the walls C_w; c = C / (1 - C_w)       colour, 1 inside
 //! - n = grad c / |grad c|, with the gradient of the cubic spline through c
-//! - g = 30/0.8^5 ((c - 0.1)(0.9 - c))^2 |grad c| between 0.1 and 0.9, zero else: of integral one through the surface
-//! - kappa_0 = S [g (s div(-n) + |grad s| (cos(phi) - cos(theta)))] / S [g s]
-//! - kappa = kappa_0 + f (kappa_0 - S [g s kappa_0] / S [g s]), less b kappa^3 dx^2 / (D - 1)^2
+//! - g = 30/0.6^5 ((c - 0.2)(0.8 - c))^2 |grad c| between 0.2 and 0.8, zero else: of integral one through the surface
+//! - kappa_0 = S [g s div(-n)] / S [g s]
+//! - kappa_1 = kappa_0 + f (kappa_0 - S [g s kappa_0] / S [g s]), less b kappa_1^3 dx^2 / (D - 1)^2
+//! - kappa = kappa_1 + l S [g |grad s| (cos(phi) - cos(theta))] / S [g s]
 //!
 //! where s falls from 1 to 0 through the surface of a wall, and phi is the angle at which n meets it. The divergence
 //! is that of unit vectors, not of second derivatives of c: these are mostly such across the surface, of which one
 //! hundredth in the wrong direction is all the curvature there is.
 //!
-//! The second line of kappa undoes what spreading, smoothing and differences take: a ripple loses k^2 v / 2 by a variance v
+//! The line of kappa_1 undoes what spreading, smoothing and differences take: a ripple loses k^2 v / 2 by a variance v
 //! of 3.5 dx^2 in all (spline 1/3, passes 1 and 1, gradient, divergence and interpolation 1/3 each, and the extension), and
 //! one smoothing more, of 1 dx^2, tells how much that is: f = 3.5. Smoothed, the level sets of a ball lie deeper than its surface, and
 //! are more curved: b = 0.5 (exact discs of 7 and 14 dx: 0.49, 0.47).
+//!
+//! The last line is the derivative of the area of the surface and of the wet wall at their edge, which vanishes where phi
+//! is Young's angle. It is not sharpened, or the pull of a contact line that starts far from its angle tears the liquid; since
+//! the curvature beside it is, it counts l = 2 times, by drops of 12 dx at 60 and 120 degrees.
 //!
 //! Beyond the surface kappa goes on as in [`Mesh::fill`].
 
@@ -30,7 +35,7 @@ const PASSES: usize = 2;
 pub(super) const MARGIN: i64 = 6;
 pub(super) const PERIODIC_MARGIN: i64 = 13;
 /// Colours between which the surface lies.
-const SURFACE: [f64; 2] = [0.1, 0.9];
+const SURFACE: [f64; 2] = [0.2, 0.8];
 /// What colour at a node and its spline may differ by.
 const LEEWAY: f64 = 0.05;
 /// Slope of the colour below which it has no direction, 1/dx.
@@ -43,7 +48,9 @@ const SOLID: f64 = 0.95;
 const SHARPENING: f64 = 3.5;
 /// b
 const DEEPER: f64 = 0.5;
-/// Up to which squared curvature, 1/dx^2, that is so: a contact line may pull far more.
+/// l
+const CONTACT_LINE: f64 = 2.0;
+/// Up to which squared curvature, 1/dx^2, that is taken to be so.
 const MOST_CURVED: f64 = 0.04;
 /// Weight of the surroundings in the extension of the curvature, beside that of the surface, up to 0.3.
 const EXTENSION: f64 = 0.1;
@@ -61,6 +68,8 @@ pub(super) struct Nodes<const D: usize> {
     /// g s
     weight: Vec<f64>,
     pull: Vec<f64>,
+    /// Where there are walls.
+    line: Vec<f64>,
     smooth_weight: Vec<f64>,
     spare: Vec<f64>,
     fill: Fill<D>,
@@ -86,6 +95,7 @@ impl<const D: usize> Nodes<D> {
             (&mut self.colour, mesh.len()),
             (&mut self.weight, mesh.len()),
             (&mut self.pull, mesh.len()),
+            (&mut self.line, of_walls),
             (&mut self.wall, of_walls),
             (&mut self.wetting, of_walls),
         ] {
@@ -142,7 +152,7 @@ impl<const D: usize> Nodes<D> {
         });
     }
 
-    /// The surface, and its curvature times that.
+    /// The surface, its curvature times that, and the contact line.
     fn weigh(&mut self, mesh: &Mesh<D>) {
         let Self {
             colour,
@@ -151,6 +161,7 @@ impl<const D: usize> Nodes<D> {
             wetting,
             weight,
             pull,
+            line,
             ..
         } = self;
         let (colour, normal, wall, wetting) = (&*colour, &*normal, &*wall, &*wetting);
@@ -158,38 +169,41 @@ impl<const D: usize> Nodes<D> {
         let sharpest = D as f64 - 1.0;
         let unit =
             |gradient: Vector<f64, D>| gradient * (1.0 / gradient.norm().max(f64::MIN_POSITIVE));
-        let weigh = |i: usize| {
+        let surface = |i: usize| {
             let c = colour[i];
             let slope = normal[i].norm();
             if !inner.contains(&i) || c <= SURFACE[0] || c >= SURFACE[1] || slope < LEAST_SLOPE {
                 return None;
             }
-            let mut curvature = 0.0;
+            let bell = ((c - SURFACE[0]) * (SURFACE[1] - c)).powi(2);
+            Some(30.0 / (SURFACE[1] - SURFACE[0]).powi(5) * bell * slope)
+        };
+        let curvature = |i: usize| {
+            let mut divergence = 0.0;
             for axis in 0..D {
                 let [before, after] = mesh.beside(i, axis);
-                curvature += 0.5 * (unit(normal[before])[axis] - unit(normal[after])[axis]);
+                divergence += 0.5 * (unit(normal[after])[axis] - unit(normal[before])[axis]);
             }
-            let curvature = curvature.clamp(-sharpest, sharpest);
-            let bell = ((c - SURFACE[0]) * (SURFACE[1] - c)).powi(2);
-            let surface = 30.0 / (SURFACE[1] - SURFACE[0]).powi(5) * bell * slope;
-            let Some(&wall_here) = wall.get(i) else {
-                return Some((surface, surface * curvature));
-            };
-            let (share, falls) = share(wall_here);
-            let mut pull = share * curvature;
-            if falls > 0.0 {
-                let towards = mesh.difference(wall, i);
-                let steep = towards.norm();
-                let met = normal[i].dot(&unit(towards)) / slope;
-                pull += falls * steep * (met - wetting[i] / wall_here);
-            }
-            Some((surface * share, surface * pull))
+            (-divergence).clamp(-sharpest, sharpest)
         };
         let parts = weight.par_chunks_mut(nodes).zip(pull.par_chunks_mut(nodes));
         parts.enumerate().for_each(|(task, (weight, pull))| {
             for (k, (weight, pull)) in weight.iter_mut().zip(pull).enumerate() {
-                if let Some(found) = weigh(task * nodes + k) {
-                    (*weight, *pull) = found;
+                let i = task * nodes + k;
+                if let Some(surface) = surface(i) {
+                    *weight = surface * wall.get(i).map_or(1.0, |&wall| share(wall).0);
+                    *pull = *weight * curvature(i);
+                }
+            }
+        });
+        (line.par_chunks_mut(nodes).enumerate()).for_each(|(task, line)| {
+            for (k, line) in line.iter_mut().enumerate() {
+                let i = task * nodes + k;
+                let falls = share(wall[i]).1;
+                if let Some(surface) = surface(i).filter(|_| falls > 0.0) {
+                    let towards = mesh.difference(wall, i);
+                    let met = unit(normal[i]).dot(&unit(towards));
+                    *line = surface * falls * towards.norm() * (met - wetting[i] / wall[i]);
                 }
             }
         });
@@ -217,6 +231,13 @@ impl<const D: usize> Nodes<D> {
             *curvature += SHARPENING * (*curvature - ratio(*sum, *weight));
             let of_each = (*curvature / (D as f64 - 1.0)).powi(2);
             *curvature -= *curvature * DEEPER * of_each.min(MOST_CURVED);
+        }
+        if !self.line.is_empty() {
+            mesh.smooth(&mut self.line, spare, PASSES);
+            let lines = self.line.iter().zip(&self.smooth_weight);
+            for (curvature, (sum, weight)) in self.curvature.iter_mut().zip(lines) {
+                *curvature += CONTACT_LINE * ratio(*sum, *weight);
+            }
         }
         mesh.fill(
             &mut self.curvature,
