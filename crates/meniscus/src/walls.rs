@@ -229,9 +229,10 @@ impl<const D: usize> Walls<D> {
                 // would draw particles in. Where no model tells what that is, a wall pulls no more than
                 // the liquid beside it.
                 let beside = sum.pressure / sum.weight;
-                let least = capillary.map_or(beside.min(0.0).max(-self.tension), |(sigma, kappa)| {
-                    sigma * kappa[row]
-                });
+                let least = capillary
+                    .map_or(beside.min(0.0).max(-self.tension), |(sigma, kappa)| {
+                        sigma * kappa[row]
+                    });
                 pressure = ((sum.pressure + pull.dot(&sum.head)) / sum.weight).max(least);
                 let share = 1.0 / sum.weight;
                 let wall = self.wall_of(particles, row).map(|wall| &self.walls[wall]);

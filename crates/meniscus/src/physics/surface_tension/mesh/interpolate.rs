@@ -33,7 +33,7 @@ impl<const D: usize> Mesh<D> {
             let along = sum(&at.values[D - 1]);
             value += weight * along;
             gradient[D - 1] += weight * sum(&at.slopes[D - 1]);
-            for axis in 0..D - 1 {
+            for (axis, gradient) in gradient.iter_mut().enumerate().take(D - 1) {
                 let (_, weight) = self.row(&at, k, |d| {
                     if d == axis {
                         &at.slopes[d]
@@ -41,7 +41,7 @@ impl<const D: usize> Mesh<D> {
                         &at.values[d]
                     }
                 });
-                gradient[axis] += weight * along;
+                *gradient += weight * along;
             }
         }
         (value, Vector(gradient) * (1.0 / self.spacing))

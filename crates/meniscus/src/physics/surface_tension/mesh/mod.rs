@@ -227,7 +227,7 @@ mod tests {
         let points = [Vector([0.0, 0.0]), Vector([20.0, 33.0])];
         let mesh = Mesh::around(points.into_iter(), 1.0, 3).unwrap();
         let mut fill = Fill::default();
-        let known = |node: usize| node % 7 == 0 && node < mesh.len() / 3;
+        let known = |node: usize| node.is_multiple_of(7) && node < mesh.len() / 3;
         let weight: Vec<f64> = (0..mesh.len())
             .map(|node| if known(node) { 1.0 } else { 0.0 })
             .collect();
