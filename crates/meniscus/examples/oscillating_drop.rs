@@ -3,6 +3,7 @@
 //!
 //! `cargo run --release -p meniscus --example oscillating_drop`
 
+use meniscus::scheme::PressureForm;
 use meniscus::shape::{Arrangement, Pattern, Rotation, Shape};
 use meniscus::{Domain, Fluid, Scheme, Setup, Simulation, SurfaceTension, Vector, measure};
 
@@ -23,6 +24,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let particles = lattice.body(&ellipse, water.density, 1_000_000)?;
     let mut scheme = Scheme::new(2.0 * spacing);
     scheme.surface_tension = Some(SurfaceTension::default());
+    scheme.pressure = PressureForm::OverDensityProduct;
     let (fluids, domain) = (vec![water], Domain::default());
     let mut drop = Simulation::new(Setup {
         scheme,

@@ -9,6 +9,7 @@ mod splash;
 
 use crate::variant::Variant;
 use meniscus::particles::Particle;
+use meniscus::physics::surface_tension::jancik_hyhlik::JancikHyhlik;
 use meniscus::physics::surface_tension::pairwise::Pairwise;
 use meniscus::physics::surface_tension::pairwise::akinci::Akinci;
 use meniscus::physics::wall::layout::Layers;
@@ -110,7 +111,7 @@ fn scheme<const D: usize>(flow: Flow) -> Scheme {
     match flow {
         Flow::Plain => plain,
         Flow::Csf => Scheme {
-            surface_tension: Some(SurfaceTension::default()),
+            surface_tension: Some(SurfaceTension::JancikHyhlik(JancikHyhlik::default())),
             ..plain
         },
         Flow::Wetting => Scheme {

@@ -21,6 +21,16 @@ pub(crate) struct DraftFluid {
 }
 
 pub(crate) fn fluid(name: &str, node: &mut Node<'_>) -> DraftFluid {
+    let context = node.context;
+    let draft = read(name, node);
+    context.fluids.set(context.fluids.get() + 1);
+    if draft.fluid.surface_tension > 0.0 {
+        context.has_surface_tension.set(true);
+    }
+    draft
+}
+
+fn read(name: &str, node: &mut Node<'_>) -> DraftFluid {
     let describing = node.context.describing;
     node.table(|fields| {
         let density = fields.required("density", "Density at rest.", |node| {

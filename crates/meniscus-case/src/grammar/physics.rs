@@ -9,7 +9,7 @@ use meniscus::scheme::{
 
 use super::motion::swing;
 use super::surface_tension::SURFACE_TENSION;
-use crate::read::{Choice, Node, Sign};
+use crate::read::{Choice, Context, Node, Sign};
 use crate::units;
 
 /// The choices of a scheme that are physics.
@@ -32,15 +32,27 @@ pub(crate) struct Physics {
     pub time_step: TimeStep,
 }
 
+/// The model of surface tension where a case names none: that which takes sigma and contact angle for one liquid,
+/// and knows no other fluid.
+fn usual_model(context: &Context) -> &'static str {
+    match context {
+        _ if context.describing => "'capillary-pressure'",
+        _ if context.van_der_waals.get() || !context.has_surface_tension.get() => "'none'",
+        _ if context.fluids.get() > 1 => "'continuum'",
+        _ => "'capillary-pressure'",
+    }
+}
+
 pub(super) fn physics(node: &mut Node<'_>) -> Physics {
     let mut surface_tension_span = 0..0;
     let mut adaptive_smoothing_span = 0..0;
+    let context = node.context;
     let own = node.context.van_der_waals.get();
     let or_own = |usual: &'static str, of_own: &'static str| if own { of_own } else { usual };
     node.table(|fields| {
         let surface_tension = fields.or(
             "surface_tension",
-            or_own("'jancik-hyhlik'", "'none'"),
+            usual_model(context),
             "Model of surface tension, where a fluid has any.",
             |node| {
                 surface_tension_span = node.span();

@@ -29,6 +29,9 @@ pub(crate) struct Context {
     pub dimension: Cell<Option<usize>>,
     /// Whether a fluid is one of van der Waals, to which other equations belong.
     pub van_der_waals: Cell<bool>,
+    /// Number of fluids, and whether any has surface tension.
+    pub fluids: Cell<usize>,
+    pub has_surface_tension: Cell<bool>,
     /// Keys that were found in another section than their own.
     pub misplaced: RefCell<Vec<String>>,
     /// Parts of the schema that others refer to.

@@ -183,13 +183,17 @@ impl<const D: usize> Rates<D> {
         let Some(SurfaceTension::CapillaryPressure(model)) = self.scheme.surface_tension else {
             return None;
         };
+        let sigma = self.fluids[0].surface_tension;
+        if sigma == 0.0 {
+            return None;
+        }
         self.walls.place(&self.pairs, particles, time);
         self.on_mesh(
             particles,
             capillary_pressure::REACH,
             |surroundings, surface| model.find(particles, surroundings, surface),
         );
-        Some(self.fluids[0].surface_tension)
+        Some(sigma)
     }
 
     /// Takes capillary pressure off the pressure.

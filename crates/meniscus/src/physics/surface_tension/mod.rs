@@ -54,6 +54,6 @@ pub enum SurfaceTension {
 
 impl Default for SurfaceTension {
     fn default() -> Self {
-        SurfaceTension::JancikHyhlik(JancikHyhlik::default())
+        SurfaceTension::CapillaryPressure(CapillaryPressure)
     }
 }
