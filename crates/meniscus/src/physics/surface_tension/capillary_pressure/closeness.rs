@@ -1,5 +1,5 @@
 //! Particles that come too near push each other: where p - q vanishes nothing else keeps them apart. Along
-//! the line of centres, so that linear and angular momentum are kept:
+//! the line of centres, so that linear and angular momentum are kept; walls push as well:
 //!
 //! rho_0 a_i = K sigma / dx^3 sum_j (0.8 dx - x_ij) x_ij / |x_ij|
 
@@ -40,19 +40,16 @@ impl Closeness {
 }
 
 impl<const D: usize> PairTerm<D> for Closeness {
-    /// One for the liquid, zero for walls, which push by their pressure.
-    type Record<R: Real> = R;
+    type Record<R: Real> = ();
     type Sum<R: Real> = Vector<R, D>;
     const OFTEN: bool = false;
 
-    fn record(&self, particles: &Particles<D>, i: usize) -> f64 {
-        if particles.mass[i] > 0.0 { 1.0 } else { 0.0 }
-    }
+    fn record(&self, _: &Particles<D>, _: usize) {}
 
     #[inline(always)]
-    fn pair<R: Real>(&self, i: &R, j: &R, ij: &Pair<R, D>, sum: &mut Vector<R, D>) {
+    fn pair<R: Real>(&self, (): &(), (): &(), ij: &Pair<R, D>, sum: &mut Vector<R, D>) {
         let distance = (ij.distance_squared + ij.distance_squared.tiny()).sqrt();
         let close = (distance.literal(self.rest) - distance).positive();
-        *sum += ij.offset * (close * self.stiffness / distance * *i * *j);
+        *sum += ij.offset * (close * self.stiffness / distance);
     }
 }
