@@ -189,8 +189,7 @@ impl<const D: usize> Walls<D> {
     }
 
     /// Before the forces at `time`, s, in a body force of `gravity`, m/s^2: places, pressure,
-    /// density, and the velocity that viscous forces see. Where there is `capillary` pressure, sigma, N/m, and
-    /// kappa of each row, 1/m, that is the least there is at a wall, else zero.
+    /// density, and the velocity that viscous forces see.
     pub(crate) fn prepare(
         &mut self,
         pairs: &mut Pairs<D>,
@@ -198,7 +197,6 @@ impl<const D: usize> Walls<D> {
         equations_of_state: &[Tait],
         gravity: Vector<f64, D>,
         time: f64,
-        capillary: Option<(f64, &[f64])>,
     ) {
         if self.is_empty() {
             return;
@@ -225,14 +223,10 @@ impl<const D: usize> Walls<D> {
             if sum.weight > 0.0 {
                 let moved = self.moved(particles, row, time);
                 let pull = gravity - moved.map_or(Vector::ZERO, |moved| moved.acceleration);
-                // Above a water line the line goes on below the pressure that the surface there asks for, and
-                // would draw particles in. Where no model tells what that is, a wall pulls no more than
-                // the liquid beside it.
+                // A wall pulls no more than the liquid beside it: above a water line the line goes
+                // on below zero, and would draw particles in.
                 let beside = sum.pressure / sum.weight;
-                let least = capillary
-                    .map_or(beside.min(0.0).max(-self.tension), |(sigma, kappa)| {
-                        sigma * kappa[row]
-                    });
+                let least = beside.min(0.0).max(-self.tension);
                 pressure = ((sum.pressure + pull.dot(&sum.head)) / sum.weight).max(least);
                 let share = 1.0 / sum.weight;
                 let wall = self.wall_of(particles, row).map(|wall| &self.walls[wall]);

@@ -97,7 +97,9 @@ impl<const D: usize> Rates<D> {
         );
         let van_der_waals =
             (scheme.van_der_waals).map(|model| Cohesive::new(model, &scheme, &fluids, &mut pairs));
-        if let Some(SurfaceTension::CapillaryPressure(_)) = scheme.surface_tension {
+        if let Some(SurfaceTension::CapillaryPressure(_)) = scheme.surface_tension
+            && fluids[0].surface_tension > 0.0
+        {
             let (kernel, smoothing_length) = Closeness::range(spacing);
             pairs.set_second(kernel, smoothing_length);
         }
@@ -150,14 +152,12 @@ impl<const D: usize> Rates<D> {
     pub(crate) fn accelerate(&mut self, particles: &mut Particles<D>, time: f64) {
         let body_force = self.body_force(time);
         let sigma = self.find_capillary_pressure(particles, time);
-        let capillary = sigma.map(|sigma| (sigma, &self.surface.curvature[..]));
         self.walls.prepare(
             &mut self.pairs,
             particles,
             &self.equations_of_state,
             body_force,
             time,
-            capillary,
         );
         if let Some(sigma) = sigma {
             self.take_capillary_pressure(sigma, particles);
@@ -278,12 +278,12 @@ fn mean_spacing<const D: usize>(fluids: &[Fluid], particles: &Particles<D>) -> f
     (volume / particles.len().max(1) as f64).powf(1.0 / D as f64)
 }
 
-/// How much walls pull, Pa. The balanced model asks for the liquid's pressure in the wall as well, sigma
+/// How much walls pull, Pa. Models in balance ask for the liquid's pressure in the wall as well, sigma
 /// kappa, which is below zero under a hollow surface: down to that of one bent by 1 / h. What is
 /// further below is noise.
 fn wall_tension(scheme: &Scheme, fluids: &[Fluid]) -> f64 {
     match (scheme.surface_tension, fluids) {
-        (Some(SurfaceTension::Balanced(_)), [fluid, ..]) => {
+        (Some(SurfaceTension::Balanced(_) | SurfaceTension::CapillaryPressure(_)), [fluid, ..]) => {
             fluid.surface_tension / scheme.smoothing_length
         }
         _ => 0.0,
