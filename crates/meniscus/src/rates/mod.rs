@@ -152,12 +152,14 @@ impl<const D: usize> Rates<D> {
     pub(crate) fn accelerate(&mut self, particles: &mut Particles<D>, time: f64) {
         let body_force = self.body_force(time);
         let sigma = self.find_capillary_pressure(particles, time);
+        let capillary = sigma.map(|sigma| (sigma, &self.surface.curvature[..]));
         self.walls.prepare(
             &mut self.pairs,
             particles,
             &self.equations_of_state,
             body_force,
             time,
+            capillary,
         );
         if let Some(sigma) = sigma {
             self.take_capillary_pressure(sigma, particles);
