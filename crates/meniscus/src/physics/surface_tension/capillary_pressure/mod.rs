@@ -9,14 +9,14 @@
 //! push each other by what p - q is, not by p, and a liquid under a hollow surface, where p < 0, is not torn apart. The
 //! gradient is that of a field on a mesh, exact for whatever particles.
 //!
-//! The field is found in a few passes over a mesh of the particles' spacing ([`nodes`]): smoothed colour, curvature of its
+//! The field is found in a few passes over a mesh of the particles' spacing (`nodes`): smoothed colour, curvature of its
 //! level sets, the mean of that over the surface, sharpened by what the smoothing took from long ripples. At the contact line
 //! q feels how far the angle is from that of Young, as in the derivative of an energy, the area of the surface and the wet wall's.
 //!
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
-//! other ([`closeness`]). Forces and moments of each free body are balanced ([`super::bodies`]).
+//! other (`closeness`). Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
-//! Walls take the pressure p - q of the liquid beside them, and bear q itself ([`load`]); the pull of a contact line
+//! Walls take the pressure p - q of the liquid beside them, and bear q itself (`load`); the pull of a contact line
 //! on its wall is not part of the wall's load.
 
 mod closeness;
