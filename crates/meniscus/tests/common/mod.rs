@@ -2,7 +2,9 @@
 #![allow(dead_code)] // each test file uses a part
 
 use meniscus::fluid::Fluid;
-use meniscus::scheme::{Scheme, SurfaceTension, ViscosityForm};
+use meniscus::measure::{DropOnWall, Plane};
+use meniscus::physics::wall::layout::Layers;
+use meniscus::scheme::{Adhesion, Scheme, Slip, SurfaceTension, ViscosityForm, Wall};
 use meniscus::{Domain, Particle, Setup, Simulation, Vector};
 
 /// Unit density, viscosity `viscosity`, tension `surface_tension`, sound speed 10.
@@ -152,4 +154,32 @@ pub fn ten_steps<const D: usize>(simulation: &mut Simulation<D>) -> (f64, f64) {
         }
     }
     (forces, torques)
+}
+
+/// The angle by a circle, in degrees, at which liquid of unit spacing above a plate at y = 0 comes to rest after
+/// `time` seconds. The plate is a body of its own, a hundred spacings wide.
+pub fn angle_on_a_plate(mut setup: Setup<2>, degrees: f64, slip: Slip, time: f64) -> f64 {
+    let plate = Layers::new(1.0, 4.0, 10_000)
+        .plane(Vector([0.0, 0.0]), Vector([0.0, 1.0]), 50.0)
+        .expect("it fits");
+    setup
+        .particles
+        .extend(plate.iter().map(|&position| Particle {
+            position,
+            velocity: Vector::ZERO,
+            mass: 1.0,
+            fluid: 0,
+            body: 1,
+        }));
+    setup.scheme.walls = vec![Wall {
+        adhesion: Adhesion::ContactAngle(degrees.to_radians()),
+        slip,
+        ..Wall::new(1)
+    }];
+    let mut simulation = Simulation::new(setup).expect("a sound setup");
+    simulation.advance_to(time).expect("a drop at rest");
+    let p = simulation.particles().of_bodies(|body| body == 0);
+    let wall = Plane::new(Vector::ZERO, Vector([0.0, 1.0])).expect("a plane");
+    let drop = DropOnWall::measure(&p.position, &p.mass, 1.0, &wall).expect("a drop");
+    drop.circle.value.to_degrees()
 }

@@ -1,40 +1,16 @@
 //! Contact angles, from a start at 90 degrees.
 
-use meniscus::measure::{DropOnWall, Plane};
-use meniscus::physics::wall::layout::Layers;
-use meniscus::scheme::{Adhesion, Slip, Wall};
-use meniscus::{Particle, Simulation, Vector};
+use meniscus::scheme::Slip;
 
+use crate::common::angle_on_a_plate;
 use crate::liquid;
 
-/// The angle by a circle, in degrees, at which half a disc of ten spacings comes to rest.
+/// The angle at which half a disc of ten spacings comes to rest.
 fn angle(degrees: f64, slip: Slip) -> f64 {
     let radius = 10.0;
     let mut setup = liquid::<2>(radius, 0.0, 0.8, |x| x[1] > 0.0 && x.norm() < radius);
-    let plate = Layers::new(1.0, 4.0, 10_000)
-        .plane(Vector([0.0, 0.0]), Vector([0.0, 1.0]), 50.0)
-        .expect("it fits");
-    setup
-        .particles
-        .extend(plate.iter().map(|&position| Particle {
-            position,
-            velocity: Vector::ZERO,
-            mass: 1.0,
-            fluid: 0,
-            body: 1,
-        }));
     setup.scheme.artificial_viscosity = 0.1;
-    setup.scheme.walls = vec![Wall {
-        adhesion: Adhesion::ContactAngle(degrees.to_radians()),
-        slip,
-        ..Wall::new(1)
-    }];
-    let mut simulation = Simulation::new(setup).expect("a sound setup");
-    simulation.advance_to(300.0).expect("a drop at rest");
-    let p = simulation.particles().of_bodies(|body| body == 0);
-    let wall = Plane::new(Vector::ZERO, Vector([0.0, 1.0])).expect("a plane");
-    let drop = DropOnWall::measure(&p.position, &p.mass, 1.0, &wall).expect("a drop");
-    drop.circle.value.to_degrees()
+    angle_on_a_plate(setup, degrees, slip, 300.0)
 }
 
 /// Smoothing of 1.7 spacings in a drop of ten: some degrees.
