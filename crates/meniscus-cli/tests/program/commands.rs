@@ -8,6 +8,7 @@ fn check_tells_everything_of_a_case_without_running_it() {
     let falling = r#"
 [physics]
 body_force = ["0 m/s^2", "-9.81 m/s^2"]
+artificial_viscosity = 0.1
 [measure]"#;
     let rod = ROD
         .replace("[measure]", falling)
