@@ -188,7 +188,7 @@ impl<const D: usize> Walls<D> {
         Some(wall.motion.at(start, time))
     }
 
-    /// Before the forces at `time`, s, in a body force of `gravity`, m/s^2: places, pressure,
+    /// Before the forces at `time`, s, in a body force of `gravity`, m/s^2, of walls in their places: pressure,
     /// density, and the velocity that viscous forces see. `capillary` pressure: sigma, N/m, and kappa of each
     /// row, 1/m.
     pub(crate) fn prepare(
@@ -206,7 +206,6 @@ impl<const D: usize> Walls<D> {
         self.time = time;
         self.loads.fill(WallLoad::default());
         self.power = 0.0;
-        self.place(pairs, particles, time);
         let is_wall = &self.is_wall;
         let near_wall = |rows: std::ops::Range<usize>| {
             (particles.body[rows].iter()).any(|&body| is_wall.get(usize::from(body)) == Some(&true))

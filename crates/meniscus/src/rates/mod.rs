@@ -151,7 +151,8 @@ impl<const D: usize> Rates<D> {
     /// Acceleration at `time` seconds.
     pub(crate) fn accelerate(&mut self, particles: &mut Particles<D>, time: f64) {
         let body_force = self.body_force(time);
-        let sigma = self.find_capillary_pressure(particles, time);
+        self.walls.place(&self.pairs, particles, time);
+        let sigma = self.find_capillary_pressure(particles);
         let capillary = sigma.map(|sigma| (sigma, &self.surface.curvature[..]));
         self.walls.prepare(
             &mut self.pairs,

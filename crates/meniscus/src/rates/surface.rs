@@ -174,12 +174,8 @@ impl<const D: usize> Rates<D> {
         act(&surroundings, &mut self.surface);
     }
 
-    /// Finds kappa of capillary pressure at `time`, s, where the model does, into the surface's curvature. Returns sigma, N/m.
-    pub(super) fn find_capillary_pressure(
-        &mut self,
-        particles: &mut Particles<D>,
-        time: f64,
-    ) -> Option<f64> {
+    /// Finds kappa of capillary pressure, where the model does, into the surface's curvature. Returns sigma, N/m.
+    pub(super) fn find_capillary_pressure(&mut self, particles: &Particles<D>) -> Option<f64> {
         let Some(SurfaceTension::CapillaryPressure(model)) = self.scheme.surface_tension else {
             return None;
         };
@@ -187,7 +183,6 @@ impl<const D: usize> Rates<D> {
         if sigma == 0.0 {
             return None;
         }
-        self.walls.place(&self.pairs, particles, time);
         self.on_mesh(
             particles,
             capillary_pressure::REACH,

@@ -5,6 +5,7 @@ use meniscus::theory::equivalent_radius;
 use meniscus::{Simulation, Vector};
 
 use crate::ball;
+use crate::common::where_a_stray_comes;
 
 /// Pressure inside, over (D - 1) sigma / R, of a drop that a drag has brought to rest.
 fn at_rest<const D: usize>(radius: f64, jitter: f64, periods: f64) -> f64
@@ -66,20 +67,7 @@ fn a_constant_curvature_leaves_no_motion_however_disordered() {
 
 #[test]
 fn a_particle_on_the_surface_sinks_in() {
-    let mut setup = ball::<2>(Vector::ZERO, 8.0, 0.0, 0.3);
-    let mut stray = setup.particles[0];
-    stray.position = Vector([9.5, 0.2]);
-    setup.particles.push(stray);
-    setup.scheme.damping = 0.1;
-    let id = setup.particles.len() as u32 - 1;
-    let mut simulation = Simulation::new(setup).expect("a sound setup");
-    simulation.advance_to(40.0).expect("the drop is calm");
-    let p = simulation.particles();
-    let row =
-        p.id.iter()
-            .position(|&other| other == id)
-            .expect("it stays");
-    let distance = p.position[row].norm();
+    let distance = where_a_stray_comes(ball(Vector::ZERO, 8.0, 0.0, 0.3));
     // The outermost particles lie half a spacing under the surface at R = 8.
     assert!(distance < 8.2, "{distance}");
 }

@@ -8,10 +8,10 @@ mod momentum;
 mod ripples;
 mod wetting;
 
-use common::{fluid, strewn};
+use common::{of_unit_tension, strewn};
 use meniscus::physics::surface_tension::balanced::Balanced;
 use meniscus::scheme::{DensityForm, PressureForm, SurfaceTension};
-use meniscus::{Domain, Setup, Vector};
+use meniscus::{Setup, Vector};
 
 /// A ball of unit density and tension, `radius` spacings of one, cut from a square lattice and
 /// jittered by a part of a spacing; of this viscosity.
@@ -25,18 +25,9 @@ fn ball<const D: usize>(
     for particle in &mut particles {
         particle.position += centre;
     }
-    let mut scheme = common::scheme(1.0);
-    scheme.density = DensityForm::Corrected;
-    scheme.pressure = PressureForm::OverDensityProduct;
-    scheme.surface_tension = Some(SurfaceTension::Balanced(Balanced));
-    let mut liquid = fluid(viscosity, 1.0);
-    // Ten times the capillary speed.
-    liquid.sound_speed = 10.0 * (2.0 / radius).sqrt();
-    Setup {
-        scheme,
-        fluids: vec![liquid],
-        particles,
-        spacing: 1.0,
-        domain: Domain::default(),
-    }
+    let model = SurfaceTension::Balanced(Balanced);
+    let mut setup = of_unit_tension(particles, radius, viscosity, model);
+    setup.scheme.density = DensityForm::Corrected;
+    setup.scheme.pressure = PressureForm::OverDensityProduct;
+    setup
 }

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use meniscus::physics::wall::layout::Layers;
-use meniscus::scheme::{Adhesion, Slip, Wall};
-use meniscus::{Particle, Setup, Simulation, Vector};
+use meniscus::scheme::Slip;
+use meniscus::{Setup, Simulation, Vector};
 
 use crate::ball;
+use crate::common::put_on_a_plate;
 
 /// Half a disc on a plate of this contact angle.
 fn half_disc(radius: f64, degrees: f64, slip: Slip) -> Setup<2> {
@@ -15,20 +15,7 @@ fn half_disc(radius: f64, degrees: f64, slip: Slip) -> Setup<2> {
     setup
         .particles
         .retain(|particle| particle.position[1] > 0.0);
-    let plate = Layers::new(1.0, 4.0, 1000).plane(Vector::ZERO, Vector([0.0, 1.0]), 4.0 * radius);
-    let plate = plate.expect("it fits");
-    (setup.particles).extend(plate.iter().map(|&position| Particle {
-        position,
-        velocity: Vector::ZERO,
-        mass: 1.0,
-        fluid: 0,
-        body: 1,
-    }));
-    setup.scheme.walls = vec![Wall {
-        slip,
-        adhesion: Adhesion::ContactAngle(degrees.to_radians()),
-        ..Wall::new(1)
-    }];
+    put_on_a_plate(&mut setup, 4.0 * radius, degrees, slip);
     setup
 }
 

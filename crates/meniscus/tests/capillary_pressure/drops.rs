@@ -4,6 +4,7 @@ use meniscus::rates::{Dimension, Space};
 use meniscus::theory::equivalent_radius;
 use meniscus::{Domain, Simulation, Vector};
 
+use crate::common::where_a_stray_comes;
 use crate::liquid;
 
 /// Mean pressure of the particles that `inside` holds, once a drag has brought them to rest.
@@ -65,17 +66,7 @@ fn a_hollow_surface_pulls() {
 
 #[test]
 fn a_particle_outside_sinks_in() {
-    let mut setup = liquid::<2>(8.0, 0.0, 0.3, |x| x.norm() < 8.0);
-    let mut stray = setup.particles[0];
-    stray.position = Vector([9.5, 0.2]);
-    setup.particles.push(stray);
-    setup.scheme.damping = 0.1;
-    let id = setup.particles.len() as u32 - 1;
-    let mut simulation = Simulation::new(setup).expect("a sound setup");
-    simulation.advance_to(40.0).expect("the drop is calm");
-    let p = simulation.particles();
-    let row = (p.id.iter().position(|&other| other == id)).expect("it is still there");
+    let radius = where_a_stray_comes(liquid(8.0, 0.0, 0.3, |x| x.norm() < 8.0));
     // The outermost of a drop of 202 lie at 7.5 to 8; one more is a bump of less than a spacing.
-    let radius = p.position[row].norm();
     assert!(radius < 9.0, "{radius}");
 }

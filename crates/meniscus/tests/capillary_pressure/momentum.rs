@@ -1,11 +1,10 @@
 //! What forces add up to, and what walls bear.
 
 use meniscus::measure::linear_momentum;
-use meniscus::physics::wall::layout::Layers;
-use meniscus::scheme::{Adhesion, BodyForce, Wall};
-use meniscus::{Particle, Simulation, Vector};
+use meniscus::scheme::{BodyForce, Slip};
+use meniscus::{Simulation, Vector};
 
-use crate::common::ten_steps;
+use crate::common::{put_on_a_plate, ten_steps};
 use crate::liquid;
 
 /// Of some hundred particles' sums.
@@ -34,20 +33,9 @@ fn a_plate_bears_the_weight_of_a_drop() {
     let radius = 8.0;
     let mut setup = liquid::<2>(radius, 0.0, 1.0, |x| x[1] > 0.0 && x.norm() < radius);
     let weight = 0.002 * setup.particles.len() as f64;
-    let plate = (Layers::new(1.0, 4.0, 10_000)).plane(Vector::ZERO, Vector([0.0, 1.0]), 40.0);
-    (setup.particles).extend(plate.expect("it fits").iter().map(|&position| Particle {
-        position,
-        velocity: Vector::ZERO,
-        mass: 1.0,
-        fluid: 0,
-        body: 1,
-    }));
+    put_on_a_plate(&mut setup, 40.0, 90.0, Slip::NoSlip);
     setup.scheme.body_force = Some(BodyForce::Constant([0.0, -0.002, 0.0]));
     setup.scheme.damping = 0.3;
-    setup.scheme.walls = vec![Wall {
-        adhesion: Adhesion::ContactAngle(std::f64::consts::FRAC_PI_2),
-        ..Wall::new(1)
-    }];
     let mut simulation = Simulation::new(setup).expect("a sound setup");
     simulation.advance_to(150.0).expect("a drop at rest");
     let force = simulation.wall_loads()[0].force;

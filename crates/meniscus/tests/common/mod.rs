@@ -156,26 +156,62 @@ pub fn ten_steps<const D: usize>(simulation: &mut Simulation<D>) -> (f64, f64) {
     (forces, torques)
 }
 
-/// The angle by a circle, in degrees, at which liquid of unit spacing above a plate at y = 0 comes to rest after
-/// `time` seconds. The plate is a body of its own, a hundred spacings wide.
-pub fn angle_on_a_plate(mut setup: Setup<2>, degrees: f64, slip: Slip, time: f64) -> f64 {
-    let plate = Layers::new(1.0, 4.0, 10_000)
-        .plane(Vector([0.0, 0.0]), Vector([0.0, 1.0]), 50.0)
-        .expect("it fits");
-    setup
-        .particles
-        .extend(plate.iter().map(|&position| Particle {
-            position,
-            velocity: Vector::ZERO,
-            mass: 1.0,
-            fluid: 0,
-            body: 1,
-        }));
+/// Particles of unit density, tension and spacing, pulled by this model; of this viscosity. Sound is ten times as fast as what
+/// surface tension moves at this radius.
+pub fn of_unit_tension<const D: usize>(
+    particles: Vec<Particle<D>>,
+    radius: f64,
+    viscosity: f64,
+    model: SurfaceTension,
+) -> Setup<D> {
+    let mut scheme = scheme(1.0);
+    scheme.surface_tension = Some(model);
+    let mut liquid = fluid(viscosity, 1.0);
+    liquid.sound_speed = 10.0 * (2.0 / radius).sqrt();
+    Setup {
+        scheme,
+        fluids: vec![liquid],
+        particles,
+        spacing: 1.0,
+        domain: Domain::default(),
+    }
+}
+
+/// How far from the middle a particle comes to lie that starts 1.5 spacings outside of a disc of eight.
+pub fn where_a_stray_comes(mut disc: Setup<2>) -> f64 {
+    let mut stray = disc.particles[0];
+    stray.position = Vector([9.5, 0.2]);
+    disc.particles.push(stray);
+    disc.scheme.damping = 0.1;
+    let id = disc.particles.len() as u32 - 1;
+    let mut simulation = Simulation::new(disc).expect("a sound setup");
+    simulation.advance_to(40.0).expect("the drop is calm");
+    let p = simulation.particles();
+    let row = p.id.iter().position(|&other| other == id);
+    p.position[row.expect("it stays")].norm()
+}
+
+/// Puts a plate of this contact angle under liquid of unit spacing, its surface at y = 0, as a body of its own.
+pub fn put_on_a_plate(setup: &mut Setup<2>, width: f64, degrees: f64, slip: Slip) {
+    let plate = Layers::new(1.0, 4.0, 10_000).plane(Vector::ZERO, Vector([0.0, 1.0]), width);
+    let particle = |&position: &Vector<f64, 2>| Particle {
+        position,
+        velocity: Vector::ZERO,
+        mass: 1.0,
+        fluid: 0,
+        body: 1,
+    };
+    (setup.particles).extend(plate.expect("it fits").iter().map(particle));
     setup.scheme.walls = vec![Wall {
         adhesion: Adhesion::ContactAngle(degrees.to_radians()),
         slip,
         ..Wall::new(1)
     }];
+}
+
+/// The angle by a circle, in degrees, at which liquid comes to rest on a plate after `time` seconds.
+pub fn angle_on_a_plate(mut setup: Setup<2>, degrees: f64, slip: Slip, time: f64) -> f64 {
+    put_on_a_plate(&mut setup, 50.0, degrees, slip);
     let mut simulation = Simulation::new(setup).expect("a sound setup");
     simulation.advance_to(time).expect("a drop at rest");
     let p = simulation.particles().of_bodies(|body| body == 0);

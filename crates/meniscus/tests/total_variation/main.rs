@@ -7,10 +7,10 @@ mod drops;
 mod symmetry;
 mod wetting;
 
-use common::{fluid, strewn};
+use common::{of_unit_tension, strewn};
 use meniscus::physics::surface_tension::total_variation::TotalVariation;
 use meniscus::scheme::SurfaceTension;
-use meniscus::{Domain, Setup, Vector};
+use meniscus::{Setup, Vector};
 
 /// Liquid of unit density and tension where `inside` says, out of a square lattice of spacing one within
 /// `reach` of the origin, jittered by a part of a spacing.
@@ -20,17 +20,6 @@ pub fn liquid<const D: usize>(
     viscosity: f64,
     inside: impl Fn(Vector<f64, D>) -> bool,
 ) -> Setup<D> {
-    let particles = strewn(reach, jitter, inside);
-    let mut scheme = common::scheme(1.0);
-    scheme.surface_tension = Some(SurfaceTension::TotalVariation(TotalVariation));
-    let mut liquid = fluid(viscosity, 1.0);
-    // Ten times the capillary speed.
-    liquid.sound_speed = 10.0 * (2.0 / reach).sqrt();
-    Setup {
-        scheme,
-        fluids: vec![liquid],
-        particles,
-        spacing: 1.0,
-        domain: Domain::default(),
-    }
+    let model = SurfaceTension::TotalVariation(TotalVariation);
+    of_unit_tension(strewn(reach, jitter, inside), reach, viscosity, model)
 }

@@ -16,8 +16,8 @@
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
 //! other (`closeness`). Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
-//! Walls take the pressure p - q of the liquid beside them, and bear q itself (`load`); the pull of a contact line
-//! on its wall is not part of the wall's load.
+//! Walls take the pressure p of the liquid beside them, less the q of their own place, and bear q as well (`load`). The pull of
+//! a contact line on its wall is not part of the wall's load, nor what the gradient on the mesh differs by from sums over pairs.
 
 mod closeness;
 mod load;
