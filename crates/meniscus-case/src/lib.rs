@@ -55,8 +55,8 @@ pub use case::{Body, Case};
 pub use coefficients::{Coefficients, Given};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use grammar::{
-    Arc, ContactAngle, Crown, Deformation, Hydrostatics, Measure, Oscillation, Output, Sensor,
-    StaticPressure, TankSurface, Waist, Window,
+    Arc, Base, ContactAngle, Crown, Deformation, Hydrostatics, Measure, Oscillation, Output,
+    Sensor, StaticPressure, TankSurface, Waist, Window,
 };
 pub use memory::BYTES_PER_PARTICLE;
 pub use schema::schema;

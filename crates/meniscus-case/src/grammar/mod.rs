@@ -26,7 +26,7 @@ pub(crate) use body::{DraftBody, Geometry};
 pub use deformation::Deformation;
 pub(crate) use document::{Draft, document};
 pub use measure::{
-    Arc, ContactAngle, Crown, Hydrostatics, Measure, Oscillation, Sensor, StaticPressure,
+    Arc, Base, ContactAngle, Crown, Hydrostatics, Measure, Oscillation, Sensor, StaticPressure,
     TankSurface, Waist, Window,
 };
 pub use output::Output;

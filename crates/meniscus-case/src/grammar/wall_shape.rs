@@ -5,7 +5,7 @@ use meniscus::physics::wall::layout::{Face, Side};
 use meniscus::shape::{Mesh, MeshError};
 
 use super::shape::{centre, corners, point, radius};
-use crate::read::{Choice, Echo, Node, Sign};
+use crate::read::{Choice, Echo, Fields, Node, Sign};
 use crate::units;
 
 /// The surface of a wall, in the dimensions of its case.
@@ -125,7 +125,7 @@ fn ball<const D: usize>(node: &mut Node<'_>) -> WallShape<D> {
     node.table(|fields| {
         let radius = radius(fields);
         let centre = centre(fields, "The centre.");
-        let side = fields.or("liquid", "'outside'", LIQUID, side);
+        let side = liquid_side(fields);
         WallShape::Ball {
             centre,
             radius,
@@ -137,7 +137,7 @@ fn ball<const D: usize>(node: &mut Node<'_>) -> WallShape<D> {
 fn polygon<const D: usize>(node: &mut Node<'_>) -> WallShape<D> {
     node.table(|fields| {
         let corners = corners(fields);
-        let side = fields.or("liquid", "'outside'", LIQUID, side);
+        let side = liquid_side(fields);
         WallShape::Polygon { corners, side }
     })
 }
@@ -198,7 +198,11 @@ fn stl(node: &mut Node<'_>, unit: f64) -> Option<Mesh> {
     None
 }
 
-const LIQUID: &str = "Where the liquid is: \"outside\" an obstacle, or \"inside\" a vessel.";
+/// The side of a round wall or a polygon.
+pub(super) fn liquid_side(fields: &mut Fields<'_, '_>) -> Side {
+    let about = "Where the liquid is: \"outside\" an obstacle, or \"inside\" a vessel.";
+    fields.or("liquid", "'outside'", about, side)
+}
 
 /// The side of the wall, which the liquid is not on.
 fn side(node: &mut Node<'_>) -> Side {

@@ -155,6 +155,16 @@ impl<'n> Node<'n> {
         }
     }
 
+    /// Whether it holds a table with this key.
+    pub(crate) fn holds(&self, key: &str) -> bool {
+        match self.input {
+            Input::Value(DeValue::Table(table)) => {
+                table.iter().any(|(name, _)| name.get_ref() == key)
+            }
+            _ => false,
+        }
+    }
+
     /// Reads in one of two ways, by what it holds; both belong to the schema.
     pub(crate) fn either<T>(
         &mut self,

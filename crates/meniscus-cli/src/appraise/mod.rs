@@ -5,8 +5,10 @@
 //! - `suite`: the tests; each makes `trial`s, case files with what is to be read from them
 //! - `score`: what the runs came to
 //! - `cost`: what their steps cost
-//! - `page`, `plots`: the comparison for people
+//! - `page`, `plots`: the comparison for people; `advice`: which model for which flow;
+//!   `time_to_solution`: at equal error
 
+mod advice;
 mod calibrations;
 mod cost;
 mod model;
@@ -14,6 +16,7 @@ mod page;
 mod plots;
 mod score;
 mod suite;
+mod time_to_solution;
 mod trial;
 
 use std::collections::BTreeMap;
@@ -141,6 +144,9 @@ pub fn appraise(
     let mut costs = Vec::new();
     for &model in &models {
         for &dimension in &dimensions {
+            if interrupt::asked() {
+                return Ok(ExitCode::from(interrupt::EXIT_CODE));
+            }
             match cost::cost(model, dimension) {
                 Ok(cost) => costs.push(cost),
                 Err(failure) => complain(&format!(

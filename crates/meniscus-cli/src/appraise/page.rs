@@ -4,8 +4,10 @@ use std::fmt::Write as _;
 
 use meniscus_report::number::significant;
 
+use super::advice::advice;
 use super::cost::Cost;
 use super::score::{Cell, Score, order};
+use super::time_to_solution::time_to_solution;
 use crate::table::capital;
 
 /// Everything that the page tells.
@@ -19,18 +21,6 @@ pub struct Page<'a> {
     /// Files and captions of figures.
     pub figures: &'a [(String, String)],
 }
-
-/// What flows ask for, and the number that tells.
-const FLOWS: [(&str, &str, &str); 4] = [
-    ("pressure in a drop at rest", "laplace", "pressure"),
-    ("a drop that swings", "swing", "frequency"),
-    ("a drop on a wall", "cap", "contact angle"),
-    (
-        "a drop at rest that must stay at rest",
-        "parasitic currents",
-        "speed",
-    ),
-];
 
 /// Items under their keys, in the order in which keys first appear.
 pub fn groups<T: Copy, K: PartialEq>(
@@ -60,7 +50,7 @@ impl Page<'_> {
             self.command,
             env!("CARGO_PKG_VERSION"),
         );
-        page += &self.advice();
+        page += &advice(self.scores);
         for (test, of_test) in groups(self.scores.iter(), |score| score.test) {
             let _ = write!(page, "\n## {}\n", capital(test));
             for (quantity, scores) in groups(of_test.into_iter(), |score| score.quantity) {
@@ -68,46 +58,12 @@ impl Page<'_> {
             }
         }
         page += &self.failures();
+        page += &time_to_solution(self.scores, self.costs);
         page += &self.cost();
-        page += &self.time_to_solution();
         for (file, caption) in self.figures {
             let _ = write!(page, "\n![{caption}](figures/{file})\n");
         }
         page
-    }
-
-    /// Which model for which flow: the most exact, and the next.
-    fn advice(&self) -> String {
-        let mut text = String::from(
-            "\n## Which model for which flow\n\nBy the worst number of each model over all starts and \
-             variants, at its finest resolution in 2D.\n\n| flow | most exact | next |\n|---|---|---|\n",
-        );
-        for (flow, test, quantity) in FLOWS {
-            let chosen = (self.scores.iter())
-                .filter(|s| s.test == test && s.quantity == quantity && s.dimension == 2);
-            let mut ranks: Vec<(f64, &str, &str)> = groups(chosen, |score| score.model)
-                .into_iter()
-                .filter_map(|(model, scores)| {
-                    let finest = scores.iter().map(|score| score.resolution).max()?;
-                    let cell = Cell(
-                        scores
-                            .into_iter()
-                            .filter(|s| s.resolution == finest)
-                            .collect(),
-                    );
-                    Some((cell.worst()?.abs(), model, cell.0[0].unit))
-                })
-                .collect();
-            ranks.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let place = |rank: usize| {
-                ranks.get(rank).map_or_else(
-                    || "none".to_owned(),
-                    |(error, model, unit)| format!("{model} ({})", with(*error, unit)),
-                )
-            };
-            let _ = writeln!(text, "| {flow} | {} | {} |", place(0), place(1));
-        }
-        text
     }
 
     fn failures(&self) -> String {
@@ -147,52 +103,6 @@ impl Page<'_> {
             let _ = writeln!(text, "| {model} | {} | {} |", of(2), of(3));
         }
         text
-    }
-
-    /// Seconds on one thread that a swing takes at the resolution where its frequency is right to
-    /// so much, by a straight line through the logarithms of neighbouring resolutions.
-    fn time_to_solution(&self) -> String {
-        let mut text = String::from(
-            "\n## Time to solution\n\nSeconds on one thread for four periods of the 2D swing at the \
-             resolution where the frequency is right to 2 % and 1 %, between the resolutions that were run.\n\n\
-             | model | 2 % | 1 % |\n|---|---|---|\n",
-        );
-        let chosen = (self.scores.iter())
-            .filter(|s| s.test == "swing" && s.quantity == "frequency" && s.dimension == 2);
-        for (model, scores) in groups(chosen, |score| score.model) {
-            let cost = self
-                .costs
-                .iter()
-                .find(|c| c.model == model && c.dimension == 2);
-            let points: Vec<(f64, f64)> = groups(scores.into_iter(), |score| score.resolution)
-                .into_iter()
-                .filter_map(|(_, cell)| {
-                    let work = cell[0].particles as f64 * cell[0].steps as f64;
-                    let cell = Cell(cell);
-                    Some((cell.worst()?.abs(), work * cost?.nanoseconds * 1e-9))
-                })
-                .collect();
-            let cell = |error| time_at(&points, error);
-            let _ = writeln!(text, "| {model} | {} | {} |", cell(2.0), cell(1.0));
-        }
-        text
-    }
-}
-
-/// The time, s, at which errors that fall with it reach `error`.
-fn time_at(points: &[(f64, f64)], error: f64) -> String {
-    match points {
-        [] => "–".into(),
-        [first, ..] if first.0 <= error => format!("at most {}", significant(first.1, 2)),
-        _ => (points.windows(2))
-            .find(|pair| pair[0].0 > error && pair[1].0 <= error)
-            .map_or_else(
-                || "not reached".into(),
-                |pair| {
-                    let share = (pair[0].0 / error).ln() / (pair[0].0 / pair[1].0).ln();
-                    significant(pair[0].1 * (pair[1].1 / pair[0].1).powf(share), 2)
-                },
-            ),
     }
 }
 
@@ -269,25 +179,12 @@ fn shown_cell(cell: &Cell<'_>) -> String {
     }
 }
 
-fn with(value: f64, unit: &str) -> String {
+/// A number and its unit, in words.
+pub fn with_unit(value: f64, unit: &str) -> String {
     let value = significant(value, 2);
     match unit {
         "" => value,
         "deg" => format!("{value} degrees"),
         unit => format!("{value} {unit}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::time_at;
-
-    #[test]
-    fn time_to_an_error_lies_between_the_runs_around_it() {
-        let points = [(4.0, 1.0), (1.0, 16.0)];
-        assert_eq!(time_at(&points, 2.0), "4.0");
-        assert_eq!(time_at(&points, 5.0), "at most 1.0");
-        assert_eq!(time_at(&points, 0.5), "not reached");
-        assert_eq!(time_at(&[], 0.5), "–");
     }
 }

@@ -20,7 +20,9 @@ pub fn draw(root: &Path, scores: &[Score]) -> Result<Vec<(String, String)>, Fail
             figures.extend(convergence(scores, test, quantity, dimension));
         }
     }
-    figures.extend(currents(root, scores));
+    for laplace_number in ["120", "1200", "12000"] {
+        figures.extend(currents(root, scores, laplace_number));
+    }
     let folder = root.join("figures");
     let broken = |what: &str, error: &dyn std::fmt::Display| {
         Failure::new(format!("cannot {what} a figure: {error}"))
@@ -71,18 +73,19 @@ fn convergence(
 }
 
 /// The largest speed in a drop at rest over time, jittered start, a curve for each model.
-fn currents(root: &Path, scores: &[Score]) -> Option<(Figure, String)> {
-    const VARIANT: &str = "La 12000";
+fn currents(root: &Path, scores: &[Score], laplace_number: &str) -> Option<(Figure, String)> {
     let mut plot = LinePlot::new(
         Axis::new("Time over sqrt(rho D^3 / sigma)", ""),
         Axis::new("U sqrt(rho D / sigma)", "").scale(Scale::Logarithmic),
     );
+    let variant = format!("La {laplace_number}");
     let mut curves = 0;
     let chosen = (scores.iter()).filter(|score| {
         score.test == "parasitic currents"
             && score.quantity == "speed"
-            && score.variant == VARIANT
+            && score.variant == variant
             && score.start == "jittered-1"
+            && (score.dimension, score.resolution) == (2, 10)
     });
     for score in chosen {
         let file = root.join("runs").join(&score.run).join("series.csv");
@@ -98,6 +101,11 @@ fn currents(root: &Path, scores: &[Score]) -> Option<(Figure, String)> {
         plot = plot.with(Curve::line(score.model, &scaled, &speed));
         curves += 1;
     }
-    let caption = format!("Largest speed in a jittered disc at rest, {VARIANT}, R / dx = 10.");
-    (curves > 0).then(|| (plot.figure("parasitic", &caption), caption))
+    let caption = format!("Largest speed in a jittered disc at rest, {variant}, R / dx = 10.");
+    (curves > 0).then(|| {
+        (
+            plot.figure(&format!("parasitic-{laplace_number}"), &caption),
+            caption,
+        )
+    })
 }

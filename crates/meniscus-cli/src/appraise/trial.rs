@@ -11,7 +11,7 @@ use crate::findings::Finding;
 /// How the particles lie at first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Start {
-    /// Close packed, rows along x; square or cubic beside walls.
+    /// Close packed, rows along x; square or cubic beside walls, in rings or shells beside round ones.
     Lattice,
     /// The same turned by 17 degrees, in space about (1, 2, 3).
     Rotated,
@@ -31,21 +31,27 @@ impl Start {
 
     /// The value of `arrangement`.
     fn arrangement(self, dimension: usize, beside: Beside) -> String {
-        let pattern = match (dimension, beside) {
-            (2, Beside::Nothing) => "triangular",
-            (2, Beside::Walls) => "square",
-            (_, Beside::Nothing) => "hexagonal",
-            (_, Beside::Walls) => "cubic",
+        let (pattern, origin) = match (dimension, beside, self) {
+            (2, Beside::Nothing, _) => ("triangular", ""),
+            (_, Beside::Nothing, _) => ("hexagonal", ""),
+            (2, Beside::Ball, Start::Lattice | Start::Jittered(_)) => ("rings", "origin = [0, 0]"),
+            (_, Beside::Ball, Start::Lattice | Start::Jittered(_)) => {
+                ("shells", "origin = [0, 0, 0]")
+            }
+            (2, ..) => ("square", ""),
+            _ => ("cubic", ""),
         };
         let turned = match dimension {
             2 => "\"17 deg\"",
             _ => "{ axis = [1, 2, 3], angle = \"17 deg\" }",
         };
         match self {
-            Start::Lattice => format!("\"{pattern}\""),
+            Start::Lattice if origin.is_empty() => format!("\"{pattern}\""),
+            Start::Lattice => format!("{{ {pattern} = {{ {origin} }} }}"),
             Start::Rotated => format!("{{ {pattern} = {{ rotation = {turned} }} }}"),
             Start::Jittered(seed) => {
-                format!("{{ {pattern} = {{ jitter = 0.1, seed = {seed} }} }}")
+                let comma = if origin.is_empty() { "" } else { ", " };
+                format!("{{ {pattern} = {{ {origin}{comma}jitter = 0.1, seed = {seed} }} }}")
             }
         }
     }
@@ -59,6 +65,9 @@ pub enum Beside {
     Nothing,
     /// Walls along the axes, which a square or cubic lattice fits.
     Walls,
+    /// A round wall about the origin, which rings or shells fit, but not where they are turned: then
+    /// it is a square or cubic lattice.
+    Ball,
 }
 
 /// A run to come.

@@ -1,9 +1,10 @@
 //! How a drop stands on a wall.
 
 use meniscus::Vector;
+use meniscus::physics::wall::layout::Side;
 use meniscus::scheme::BodyForce;
-use meniscus::theory::{SessileDrop, capillary_length};
-use meniscus_case::{Case, ContactAngle};
+use meniscus::theory::{CapOnBall, SessileDrop, capillary_length};
+use meniscus_case::{Base, Case, ContactAngle};
 use meniscus_output::Series;
 
 use super::{Findings, exact, mean, window};
@@ -25,10 +26,9 @@ pub fn measure(case: &Case, series: &Series, findings: &mut Findings) {
     let expected = asked.expected.map(|angle| ("expected", angle.to_degrees()));
     let exact_drop = shape_at_rest(case, asked);
     for ((column, unit), (id, name)) in CONTACT_ANGLE.into_iter().zip(NUMBERS) {
-        let of_drop = |size: fn(SessileDrop) -> f64| Some(("Young and Laplace", size(exact_drop?)));
         let reference = match id {
-            "wetted-radius" => of_drop(|drop| drop.base_radius),
-            "drop-height" => of_drop(|drop| drop.height),
+            "wetted-radius" => exact_drop.map(|(base, _)| ("Young and Laplace", base)),
+            "drop-height" => exact_drop.map(|(_, height)| ("Young and Laplace", height)),
             _ => expected,
         };
         match mean(series, column, &asked.window) {
@@ -46,15 +46,23 @@ pub fn measure(case: &Case, series: &Series, findings: &mut Findings) {
     }
 }
 
-/// The first body at rest under the angle to compare with; none where its weight does not push it
-/// straight on the wall.
-fn shape_at_rest(case: &Case, asked: &ContactAngle) -> Option<SessileDrop> {
+/// The first body at rest under the angle to compare with: its base and height. None where
+/// its weight does not push it straight on a flat wall.
+fn shape_at_rest(case: &Case, asked: &ContactAngle) -> Option<(f64, f64)> {
     let (angle, body) = (asked.expected?, case.bodies.first()?);
     let fluid = &case.fluids[body.fluid];
-    let normal = Vector(asked.normal);
-    let length = match &case.scheme.body_force {
-        None => f64::INFINITY,
-        Some(BodyForce::Constant(g)) => {
+    let length = match (&case.scheme.body_force, &asked.base) {
+        (None, Base::Ball { radius, side, .. }) => {
+            let radius = match side {
+                Side::Inside => *radius,
+                Side::Outside => -radius,
+            };
+            let lens = CapOnBall::of_volume(body.volume, angle, radius, case.dimension);
+            return Some((lens.base_radius, lens.height));
+        }
+        (None, Base::Plane { .. }) => f64::INFINITY,
+        (Some(BodyForce::Constant(g)), Base::Plane { normal, .. }) => {
+            let normal = Vector(*normal);
             let down = -Vector(*g).dot(&normal) / normal.norm();
             // Up to rounding all of it.
             if down < Vector(*g).norm() * (1.0 - 1e-9) {
@@ -62,12 +70,8 @@ fn shape_at_rest(case: &Case, asked: &ContactAngle) -> Option<SessileDrop> {
             }
             capillary_length(fluid.surface_tension, fluid.density, down)
         }
-        Some(_) => return None,
+        _ => return None,
     };
-    Some(SessileDrop::of_volume(
-        body.volume,
-        angle,
-        length,
-        case.dimension,
-    ))
+    let drop = SessileDrop::of_volume(body.volume, angle, length, case.dimension);
+    Some((drop.base_radius, drop.height))
 }

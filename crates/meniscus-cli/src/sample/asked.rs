@@ -1,6 +1,8 @@
 //! Columns that a case asks for under `[measure]`, each followed through the run.
 
-use meniscus::measure::{Crown, DropOnWall, Outline, Plane, Sensor, TankSurface, centre_of_mass};
+use meniscus::measure::{
+    Base, Crown, DropOnWall, Outline, Plane, Sensor, TankSurface, centre_of_mass,
+};
 use meniscus::{Particles, Vector, theory};
 use meniscus_case::{Case, ContactAngle};
 use meniscus_output::Column;
@@ -118,8 +120,7 @@ fn on_wall<const D: usize>(
     asked: &ContactAngle,
     body: &Particles<D>,
 ) -> [f64; CONTACT_ANGLE.len()] {
-    let (point, normal) = (Vector::from_3d(asked.point), Vector::from_3d(asked.normal));
-    let Some(wall) = Plane::new(point, normal) else {
+    let Some(wall) = base(&asked.base) else {
         return [f64::NAN; CONTACT_ANGLE.len()];
     };
     let spacing = spacing(body);
@@ -133,6 +134,23 @@ fn on_wall<const D: usize>(
         of_drop(|drop| drop.height),
         heights.fold(f64::INFINITY, f64::min) - 0.5 * spacing,
     ]
+}
+
+fn base<const D: usize>(asked: &meniscus_case::Base) -> Option<Base<D>> {
+    match *asked {
+        meniscus_case::Base::Plane { point, normal } => {
+            Plane::new(Vector::from_3d(point), Vector::from_3d(normal)).map(Base::Plane)
+        }
+        meniscus_case::Base::Ball {
+            centre,
+            radius,
+            side,
+        } => Some(Base::Ball {
+            centre: Vector::from_3d(centre),
+            radius,
+            side,
+        }),
+    }
 }
 
 /// As it is, which compression changes.

@@ -1,6 +1,10 @@
-//! Where a profile of liquid meets a flat wall, and at what angle.
+//! Where a profile of liquid meets a wall, and at what angle.
+//!
+//! Places are (x, y) in a frame whose origin is a point of the wall, the drop's axis y going from there into
+//! the liquid. A wall of curvature k, positive where it bulges into the liquid, is the circle
+//! y + k (x^2 + y^2) / 2 = 0, a flat one the line y = 0.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use nalgebra::{DMatrix, DVector};
 
@@ -16,15 +20,15 @@ pub const DEPTH_UNKNOWN: f64 = 0.2;
 pub struct Foot {
     /// Contact angle through the liquid, rad.
     pub angle: Estimate,
-    /// Where along the wall, m.
+    /// How far from the axis, m.
     pub place: Estimate,
 }
 
 impl Foot {
-    /// By a parabola over the straight line along the outermost particle centres near the wall:
-    /// where they lie along the wall, towards the outside of the liquid, and their
-    /// distance from it. `None` for fewer than five, or none that meets the wall.
-    pub fn fit(near: &[[f64; 2]], spacing: f64) -> Option<Self> {
+    /// By a parabola over the straight line along the outermost particle centres near the wall, x growing
+    /// towards the outside of the liquid. `None` for fewer than five, or none that meets the wall, whose
+    /// curvature is in 1/m.
+    pub fn fit(near: &[[f64; 2]], spacing: f64, wall_curvature: f64) -> Option<Self> {
         let freedom = near.len().checked_sub(3).filter(|&n| n >= 2)?;
         let count = near.len() as f64;
         let mean = |d: usize| near.iter().map(|p| p[d]).sum::<f64>() / count;
@@ -34,9 +38,12 @@ impl Foot {
                 .map(|p| (p[d] - middle[d]) * (p[e] - middle[e]))
                 .sum::<f64>()
         };
-        // Direction of the line along the points, upwards along the profile.
+        let level = |[x, y]: [f64; 2]| y + 0.5 * wall_curvature * (x * x + y * y);
+        let normal = |[x, y]: [f64; 2]| [wall_curvature * x, 1.0 + wall_curvature * y];
+        let climb = |up: [f64; 2], along: [f64; 2]| up[0] * along[0] + up[1] * along[1];
+        // Direction of the line along the points, away from the wall.
         let mut lean = 0.5 * (2.0 * moment(0, 1)).atan2(moment(0, 0) - moment(1, 1));
-        if lean < 0.0 {
+        if climb(normal(middle), [lean.cos(), lean.sin()]) < 0.0 {
             lean += PI;
         }
         let (sin, cos) = lean.sin_cos();
@@ -51,18 +58,28 @@ impl Foot {
         let (curve, inverse) = solve(&matrix, &right)?;
         let left = (&matrix * &curve - right).norm_squared() / freedom as f64;
         let depth = DEPTH * spacing;
-        // Along the parabola to the wall: height = middle + s sin - (y + depth) cos = 0.
-        let mut s = -middle[1] / sin;
-        for _ in 0..30 {
+        // A place of the parabola, and its direction.
+        let at = |s: f64| {
             let y = curve[0] + s * (curve[1] + s * curve[2]) + depth;
             let slope = curve[1] + 2.0 * s * curve[2];
-            let miss = middle[1] + s * sin - y * cos;
-            s -= miss / (sin - slope * cos);
+            (
+                [middle[0] + s * cos + y * sin, middle[1] + s * sin - y * cos],
+                [cos + slope * sin, sin - slope * cos],
+                slope,
+            )
+        };
+        // To the wall by Newton, from where the straight line points to it.
+        let mut s = -level(middle) / climb(normal(middle), [cos, sin]);
+        for _ in 0..30 {
+            let (place, along, _) = at(s);
+            s -= level(place) / climb(normal(place), along);
         }
-        let slope = curve[1] + 2.0 * s * curve[2];
-        let y = curve[0] + s * (curve[1] + s * curve[2]) + depth;
-        // The profile's direction leans by `lean` and by its slope there, towards the outside.
-        let angle = PI - (lean - slope.atan());
+        let (place, along, slope) = at(s);
+        let up = normal(place);
+        // Between the profile and the wall that the liquid covers.
+        let angle = PI - (along[1].atan2(along[0]) - (-up[0]).atan2(up[1]));
+        // Of all that differ by whole turns the one about 90 degrees.
+        let angle = (angle + FRAC_PI_2).rem_euclid(TAU) - FRAC_PI_2;
         let t = student_t(freedom.max(4) as f64);
         let spread = |gradient: [f64; 3]| {
             let g = DVector::from_row_slice(&gradient);
@@ -74,8 +91,8 @@ impl Foot {
                 half_width: spread([0.0, 1.0, 2.0 * s]) / (1.0 + slope * slope),
             },
             place: Estimate {
-                value: middle[0] + s * cos + y * sin,
-                half_width: spread([1.0, s, s * s]).hypot(DEPTH_UNKNOWN * spacing)
+                value: place[0],
+                half_width: spread([1.0, s, s * s]).hypot(DEPTH_UNKNOWN * spacing) * up[1].abs()
                     / angle.sin().abs(),
             },
         };

@@ -3,9 +3,10 @@
 use crate::theory::meniscus_height;
 use crate::vector::Vector;
 
+use super::base::{Base, Plane};
 use super::estimate::{Estimate, student_t};
 use super::foot::{DEPTH, DEPTH_UNKNOWN};
-use super::surface::{Plane, surface_particles};
+use super::surface::surface_particles;
 
 /// The part of the tank's width, about its middle, over which the level is taken.
 const MIDDLE: f64 = 0.25;
@@ -230,12 +231,12 @@ pub fn surface_profile<const D: usize>(
     for (wall, sign) in walls.into_iter().zip([1.0, -1.0]) {
         let mut point = Vector::ZERO;
         point[0] = wall;
-        planes.extend(Plane::new(point, along(0, sign)));
+        planes.extend(Plane::new(point, along(0, sign)).map(Base::Plane));
     }
     // The bottom is none of it, wherever the lowest particles lie.
     let mut point = Vector::ZERO;
     point[D - 1] = low(D - 1) - 0.5 * spacing;
-    planes.extend(Plane::new(point, along(D - 1, 1.0)));
+    planes.extend(Plane::new(point, along(D - 1, 1.0)).map(Base::Plane));
     let (front, back) = (low(1), high(1));
     let inside = |x: &Vector<f64, D>| {
         D == 2 || (x[1] - 0.5 * (front + back)).abs() <= 0.5 * DEEP * (back - front)

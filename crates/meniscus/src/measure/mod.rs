@@ -9,7 +9,7 @@
 //! - totals over all particles: [`centre_of_mass`], [`linear_momentum`], [`kinetic_energy`], ...
 //! - the body's shape: [`PrincipalAxes`], [`semi_axes_by_tips`], [`surface_energy`]
 //! - how round a body is, by direction: [`Outline`]
-//! - a splash: [`Crown`]; a drop on a wall: [`DropOnWall`]; the surface in a tank: [`TankSurface`]
+//! - a splash: [`Crown`]; a drop on a wall ([`Base`]): [`DropOnWall`]; the surface in a tank: [`TankSurface`]
 //! - which particles lie at a free surface: [`surface_particles`]
 //! - drops that merge, break or spread: [`waist`], [`fragments`], [`Bag`], [`contacts`], [`width_across`]
 //! - virtual pressure sensors: [`Sensor`]
@@ -23,6 +23,7 @@
 //! - a fitted power law: [`PowerLaw`]
 
 mod bag;
+mod base;
 mod cells;
 mod circle;
 mod compression_energy;
@@ -52,6 +53,7 @@ mod waist;
 mod width;
 
 pub use bag::Bag;
+pub use base::{Base, Plane};
 pub use compression_energy::{compression_energy, specific_compression_energy};
 pub use contact_angle::DropOnWall;
 pub use crown::Crown;
@@ -71,7 +73,7 @@ pub use semi_axes::{
 };
 pub use sensor::{Reading, Sensor};
 pub use stress_profile::StressProfile;
-pub use surface::{Plane, surface_particles};
+pub use surface::surface_particles;
 pub use surface_layer::{SurfaceLayer, outer_rings};
 pub use totals::{
     angular_momentum, centre_of_mass, kinetic_energy, linear_momentum, maximum_speed, range,

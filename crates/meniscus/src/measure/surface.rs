@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
+use super::base::Base;
 use super::cells::Cells;
 use crate::vector::Vector;
 
@@ -12,37 +13,6 @@ const CONE: f64 = FRAC_1_SQRT_2;
 /// How near a wall in the cone hides a void between, in spacings.
 const WET: f64 = 1.5;
 
-/// A flat wall.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plane<const D: usize> {
-    /// A point of its surface, m.
-    pub point: Vector<f64, D>,
-    /// Direction from the wall to the liquid, of length one.
-    normal: Vector<f64, D>,
-}
-
-impl<const D: usize> Plane<D> {
-    /// Through a point, m, with a normal of any length that points to the liquid; `None` if it
-    /// has none.
-    pub fn new(point: Vector<f64, D>, normal: Vector<f64, D>) -> Option<Self> {
-        let length = normal.norm();
-        (length > 0.0 && length.is_finite()).then(|| Self {
-            point,
-            normal: normal * (1.0 / length),
-        })
-    }
-
-    /// Direction from the wall to the liquid, of length one.
-    pub fn normal(&self) -> Vector<f64, D> {
-        self.normal
-    }
-
-    /// Height of a point above the wall, m.
-    pub fn height(&self, x: Vector<f64, D>) -> f64 {
-        (x - self.point).dot(&self.normal)
-    }
-}
-
 /// Indices of the particles, `spacing` (m) apart, that see out of the liquid: no neighbour
 /// within 2.1 spacings lies in a cone of 45 degrees about the direction away from all
 /// of them. Particles along the walls see their mirror images, so that only a free surface counts.
@@ -52,7 +22,7 @@ impl<const D: usize> Plane<D> {
 pub fn surface_particles<const D: usize>(
     positions: &[Vector<f64, D>],
     spacing: f64,
-    walls: &[Plane<D>],
+    walls: &[Base<D>],
 ) -> Vec<usize> {
     let reach = REACH * spacing;
     let mut seen = positions.to_vec();
@@ -60,7 +30,7 @@ pub fn surface_particles<const D: usize>(
         let near = seen.iter().map(|&x| (x, wall.height(x)));
         let images: Vec<_> = near
             .filter(|(_, height)| height.abs() < reach)
-            .map(|(x, height)| x - wall.normal * (2.0 * height))
+            .map(|(x, height)| x - wall.normal(x) * (2.0 * height))
             .collect();
         seen.extend(images);
     }
@@ -86,7 +56,10 @@ pub fn surface_particles<const D: usize>(
         let length = away.norm();
         let wet = walls.iter().any(|wall| {
             // Between the cone's edge and the way to the wall.
-            let past = (-away.dot(&wall.normal) / length).clamp(-1.0, 1.0).acos() - FRAC_PI_4;
+            let past = (-away.dot(&wall.normal(x)) / length)
+                .clamp(-1.0, 1.0)
+                .acos()
+                - FRAC_PI_4;
             wall.height(x) < WET * spacing * past.max(0.0).cos()
         });
         !wet && (arms.iter()).all(|(arm, distance)| arm.dot(&away) <= CONE * distance * length)
@@ -99,13 +72,14 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
+    use crate::measure::base::Plane;
     use crate::measure::samples::cut;
 
     #[test]
     fn the_outermost_layer_is_found_at_any_angle_of_the_lattice_and_no_wall_counts() {
         for (turn, jitter) in [(0.0, 0.0), (0.4, 0.0), (0.0, 0.2), (1.1, 0.2)] {
             // Half a disc and half a ball on a floor.
-            let floor = Plane::new(Vector::ZERO, Vector([0.0, 1.0])).unwrap();
+            let floor = Base::Plane(Plane::new(Vector::ZERO, Vector([0.0, 1.0])).unwrap());
             let x = cut(12.0, turn, jitter, |x: &Vector<f64, 2>| {
                 x.norm() < 12.0 && x[1] > 0.0
             });
@@ -122,7 +96,7 @@ mod tests {
                 (0..x.len()).all(|i| x[i].norm() < 11.6 || x[i][1] < 1.5 || found.contains(&i))
             );
 
-            let floor = Plane::new(Vector::ZERO, Vector([0.0, 0.0, 1.0])).unwrap();
+            let floor = Base::Plane(Plane::new(Vector::ZERO, Vector([0.0, 0.0, 1.0])).unwrap());
             let x = cut(8.0, turn, jitter, |x: &Vector<f64, 3>| {
                 x.norm() < 8.0 && x[2] > 0.0
             });

@@ -9,6 +9,7 @@
 mod artificial_viscosity;
 mod bridge;
 mod cap;
+mod cap_on_ball;
 mod capillary;
 mod dimensionless;
 mod ellipsoid;
@@ -25,6 +26,7 @@ mod viscous_oscillation;
 pub use artificial_viscosity::artificial_kinematic_viscosity;
 pub use bridge::Bridge;
 pub use cap::{Cap, contact_angle};
+pub use cap_on_ball::CapOnBall;
 pub use capillary::{capillary_length, capillary_time, capillary_velocity};
 pub use dimensionless::{
     bond_number, capillary_number, laplace_number, ohnesorge_number, reynolds_number, weber_number,

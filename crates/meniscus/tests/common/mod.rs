@@ -2,7 +2,7 @@
 #![allow(dead_code)] // each test file uses a part
 
 use meniscus::fluid::Fluid;
-use meniscus::measure::{DropOnWall, Plane};
+use meniscus::measure::{Base, DropOnWall, Plane};
 use meniscus::physics::wall::layout::Layers;
 use meniscus::scheme::{Adhesion, Scheme, Slip, SurfaceTension, ViscosityForm, Wall};
 use meniscus::{Domain, Particle, Setup, Simulation, Vector};
@@ -216,6 +216,6 @@ pub fn angle_on_a_plate(mut setup: Setup<2>, degrees: f64, slip: Slip, time: f64
     simulation.advance_to(time).expect("a drop at rest");
     let p = simulation.particles().of_bodies(|body| body == 0);
     let wall = Plane::new(Vector::ZERO, Vector([0.0, 1.0])).expect("a plane");
-    let drop = DropOnWall::measure(&p.position, &p.mass, 1.0, &wall).expect("a drop");
+    let drop = DropOnWall::measure(&p.position, &p.mass, 1.0, &Base::Plane(wall)).expect("a drop");
     drop.circle.value.to_degrees()
 }

@@ -2,6 +2,8 @@
 
 mod read;
 
+use meniscus::physics::wall::layout::Side;
+
 pub(super) use read::measure;
 
 /// What is measured beside the usual time series.
@@ -84,17 +86,36 @@ pub struct Window {
     pub to: f64,
 }
 
-/// The shape of the first body as a drop on a flat wall.
+/// The shape of the first body as a drop on a wall.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactAngle {
-    /// A point of the wall's surface, m; in 2D the third component is zero.
-    pub point: [f64; 3],
-    /// Direction from the wall to the liquid, of any length.
-    pub normal: [f64; 3],
+    /// The wall's surface.
+    pub base: Base,
     /// What to compare with, rad.
     pub expected: Option<f64>,
     /// Over which time it is averaged.
     pub window: Window,
+}
+
+/// A wall that a drop stands on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Base {
+    /// A flat one.
+    Plane {
+        /// A point of its surface, m; in 2D the third component is zero.
+        point: [f64; 3],
+        /// Direction from the wall to the liquid, of any length.
+        normal: [f64; 3],
+    },
+    /// A disc or sphere, or all around it.
+    Ball {
+        /// Its centre, m; in 2D the third component is zero.
+        centre: [f64; 3],
+        /// Its radius, m.
+        radius: f64,
+        /// The side of the wall, which the liquid is not on.
+        side: Side,
+    },
 }
 
 /// The surface of all liquid between two vertical walls, the last axis upwards.

@@ -1,11 +1,13 @@
 //! How what is measured is read.
 
 use super::{
-    Arc, ContactAngle, Crown, Hydrostatics, Measure, Oscillation, Sensor, StaticPressure,
+    Arc, Base, ContactAngle, Crown, Hydrostatics, Measure, Oscillation, Sensor, StaticPressure,
     TankSurface, Waist, Window,
 };
 use crate::grammar::document::interval;
-use crate::read::{Fields, Node, Sign};
+use crate::grammar::shape::{centre, radius};
+use crate::grammar::wall_shape::liquid_side;
+use crate::read::{Choice, Fields, Node, Sign};
 use crate::units;
 
 /// `bodies` are the names of the bodies.
@@ -69,8 +71,8 @@ pub(in crate::grammar) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[
         ),
         contact_angle: fields.optional(
             "contact_angle",
-            "Average the angle at which the first body meets a flat wall, and its size there.",
-            |node| node.table(|fields| contact_angle(fields, end_time)),
+            "Average the angle at which the first body meets a wall, and its size there: a flat one by `point` and `normal`, or a round one by `wall`.",
+            |node| contact_angle(node, end_time),
         ),
         meniscus: fields.optional(
             "meniscus",
@@ -244,7 +246,54 @@ fn instant(
     fields.or(key, &format!("'{default} s'"), about, read)
 }
 
-fn contact_angle(fields: &mut Fields<'_, '_>, end_time: f64) -> ContactAngle {
+fn contact_angle(node: &mut Node<'_>, end_time: f64) -> ContactAngle {
+    let round = node.holds("wall");
+    node.either(
+        round,
+        |node| {
+            node.table(|fields| {
+                let about = "The round wall.";
+                let base = fields.required("wall", about, |node| node.choice("round wall", ROUND));
+                on_base(fields, base, end_time)
+            })
+        },
+        |node| {
+            node.table(|fields| {
+                let base = plane(fields);
+                on_base(fields, base, end_time)
+            })
+        },
+    )
+}
+
+/// What is asked of a drop on this wall.
+fn on_base(fields: &mut Fields<'_, '_>, base: Base, end_time: f64) -> ContactAngle {
+    ContactAngle {
+        base,
+        expected: expected(fields),
+        window: window(fields, end_time, 0.8),
+    }
+}
+
+/// Named as the shapes of walls are.
+const ROUND: &[Choice<Base>] = &[
+    Choice::new("disc", "A disc, or all around it.", ball::<2>).only_in(2),
+    Choice::new("sphere", "A ball, or all around it.", ball::<3>).only_in(3),
+];
+
+fn ball<const D: usize>(node: &mut Node<'_>) -> Base {
+    node.table(|fields| {
+        let radius = radius(fields);
+        let centre = centre::<D>(fields, "The centre.").to_3d();
+        Base::Ball {
+            centre,
+            radius,
+            side: liquid_side(fields),
+        }
+    })
+}
+
+fn plane(fields: &mut Fields<'_, '_>) -> Base {
     let point = fields.required("point", "A point of the wall's surface.", |node| {
         node.vector(&units::LENGTH, Sign::Any)
     });
@@ -260,13 +309,7 @@ fn contact_angle(fields: &mut Fields<'_, '_>, end_time: f64) -> ContactAngle {
         }
         normal
     });
-    let expected = expected(fields);
-    ContactAngle {
-        point,
-        normal,
-        expected,
-        window: window(fields, end_time, 0.8),
-    }
+    Base::Plane { point, normal }
 }
 
 /// A contact angle to compare with.

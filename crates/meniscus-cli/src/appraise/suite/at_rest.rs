@@ -76,14 +76,15 @@ pub fn parasitic(model: Model, effort: Effort) -> Vec<Trial> {
     for &(dimension, resolution) in effort.of(&all, 1) {
         for laplace_number in [1200.0_f64, 12000.0, 120.0] {
             let coarse = resolution == 10;
-            if !coarse && laplace_number != 1200.0 {
+            // Those that have a bar.
+            if !coarse && laplace_number < 1000.0 {
                 continue;
             }
-            for &start in &effort.starts()[..2] {
-                let start = match start {
-                    super::Start::Rotated => super::Start::Jittered(1),
-                    start => start,
-                };
+            let starts = match coarse {
+                true => effort.starts(),
+                false => Effort::Quick.starts(),
+            };
+            for &start in starts {
                 trials.push(Trial {
                     test: "parasitic currents",
                     model,

@@ -1,10 +1,8 @@
 //! A drop that stands on a wall at 90 degrees, and should stand at another angle.
 
-use meniscus::theory::Cap;
-
 use super::{Effort, Start};
 use crate::appraise::model::Model;
-use crate::appraise::trial::{Beside, Evidence, Flow, Reading, Trial};
+use crate::appraise::trial::{Beside, Flow, Reading, Trial};
 
 /// Without weight, La = 120. Models without contact angles do not sit it.
 pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
@@ -38,7 +36,8 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
     trials
 }
 
-fn flow(dimension: usize, angle: u32, slip: &str) -> Flow {
+/// Half a disc or ball on a wall that is to hold it at another angle.
+pub fn flow(dimension: usize, angle: u32, slip: &str) -> Flow {
     let (point, normal, shape) = match dimension {
         2 => ("[0, 0]", "[0, 1]", "disc"),
         _ => ("[0, 0, 0]", "[0, 0, 1]", "sphere"),
@@ -70,7 +69,8 @@ fn flow(dimension: usize, angle: u32, slip: &str) -> Flow {
     }
 }
 
-fn readings() -> Vec<Reading> {
+/// Beside what Young and Laplace say.
+pub fn readings() -> Vec<Reading> {
     vec![
         Reading {
             quantity: "contact angle",
@@ -85,7 +85,7 @@ fn readings() -> Vec<Reading> {
             quantity: "wetted radius",
             unit: "%",
             bar: Some(2.0),
-            read: radius,
+            read: |run| run.percent_above("wetted-radius"),
         },
         Reading {
             quantity: "gap, in spacings",
@@ -94,11 +94,4 @@ fn readings() -> Vec<Reading> {
             read: |run| Some(run.finding("largest-gap")?.computed / run.case.spacing),
         },
     ]
-}
-
-fn radius(run: &Evidence<'_>) -> Option<f64> {
-    let body = run.case.bodies.first()?;
-    let angle = run.case.measure.contact_angle.as_ref()?.expected?;
-    let right = Cap::of_volume(body.volume, angle, run.case.dimension).base_radius;
-    Some(100.0 * (run.finding("wetted-radius")?.computed / right - 1.0))
 }

@@ -58,11 +58,29 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
             5,
             start,
             thread(),
-            vec![largest_change()],
+            vec![largest_change(), neck()],
         );
         add("splash", 2, 10, start, splash(), vec![largest_change()]);
     }
     trials
+}
+
+/// The least radius of the neck in all the run; none is right.
+fn neck() -> Reading {
+    Reading {
+        quantity: "radius of the neck",
+        unit: "",
+        bar: Some(0.0),
+        read: |run| {
+            let (time, radius) = (run.series.column("time")?, run.series.column("waist")?);
+            // To its end, or what is left says nothing.
+            (*time.last()? >= 0.999 * run.case.end_time).then_some(())?;
+            // Where there is nothing there is no radius.
+            let broken = radius.iter().any(|radius| radius.is_nan());
+            let least = radius.iter().copied().fold(f64::INFINITY, f64::min);
+            Some(if broken { 0.0 } else { least })
+        },
+    }
 }
 
 /// A weakly compressible flow changes its density by about 1 %.
@@ -89,18 +107,19 @@ fn merging(dimension: usize, resolution: u32) -> Flow {
     }
 }
 
-/// Drops in a row, stretched so that they swing, each with a speed of its own.
+/// Drops in a row, stretched so that they swing, each with a size and a speed of its own.
 fn apart(dimension: usize) -> Flow {
     let bodies = (0..5).map(|k| {
-        let x = 4.0 * f64::from(k);
+        let (x, r) = (4.0 * f64::from(k), 1.0 - 0.1 * f64::from(k));
+        let (long, flat, round) = (1.2 * r, 0.8 * r, 0.9 * r);
         let (shape, velocity) = match dimension {
             2 => (
-                format!("{{ ellipse = {{ semi_axes = [1.2, 0.8], centre = [{x}, 0] }} }}"),
+                format!("{{ ellipse = {{ semi_axes = [{long}, {flat}], centre = [{x}, 0] }} }}"),
                 format!("[0, {}]", 0.1 * f64::from(k)),
             ),
             _ => (
                 format!(
-                    "{{ ellipsoid = {{ semi_axes = [1.2, 0.9, 0.9], centre = [{x}, 0, 0] }} }}"
+                    "{{ ellipsoid = {{ semi_axes = [{long}, {round}, {round}], centre = [{x}, 0, 0] }} }}"
                 ),
                 format!("[0, {}, 0]", 0.1 * f64::from(k)),
             ),
@@ -157,8 +176,13 @@ fn thread() -> Flow {
     Flow {
         viscosity: 0.05,
         end_time: 25.0,
-        bodies: vec![part(0.0, half, 1.05), part(half, 2.0 * half, 0.95)],
-        rest: format!("[periodic]\nx = [0, {}]\n", 2.0 * half),
+        // The neck is measured of the first.
+        bodies: vec![part(half, 2.0 * half, 0.95), part(0.0, half, 1.05)],
+        rest: format!(
+            "[periodic]\nx = [0, {}]\n\n[measure]\nwaist = {{ at = [{}, 0, 0], normal = [1, 0, 0] }}\n",
+            2.0 * half,
+            1.5 * half
+        ),
         ..Flow::default()
     }
 }

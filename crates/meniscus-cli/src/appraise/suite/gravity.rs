@@ -28,14 +28,21 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
     }
     let mut trials = Vec::new();
     for &resolution in effort.of(&[10, 20], 1) {
-        for angle in [60_u32, 120] {
+        let starts: &[Start] = match effort {
+            Effort::Quick => &[Start::Lattice],
+            Effort::Full => &[Start::Lattice, Start::Jittered(1)],
+        };
+        let runs = [60_u32, 120]
+            .into_iter()
+            .flat_map(|angle| starts.iter().map(move |&s| (angle, s)));
+        for (angle, start) in runs {
             let trial = |test, flow, read| Trial {
                 test,
                 model,
                 dimension: 2,
                 resolution,
                 variant: format!("{angle} degrees"),
-                start: Start::Lattice,
+                start,
                 flow,
                 readings: vec![Reading {
                     quantity: "height",

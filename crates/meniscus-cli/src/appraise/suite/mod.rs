@@ -2,9 +2,11 @@
 
 mod at_rest;
 mod cap;
+mod cap_on_ball;
 mod encounters;
 mod gravity;
 mod relaxation;
+mod slight_weight;
 mod swing;
 
 use super::model::Model;
@@ -27,6 +29,8 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
         swing::trials(model, effort),
         relaxation::trials(model, effort),
         cap::trials(model, effort),
+        cap_on_ball::trials(model, effort),
+        slight_weight::trials(model, effort),
         gravity::trials(model, effort),
         encounters::trials(model, effort),
     ]
@@ -45,6 +49,7 @@ impl Effort {
                 Start::Rotated,
                 Start::Jittered(1),
                 Start::Jittered(2),
+                Start::Jittered(3),
             ],
         }
     }
