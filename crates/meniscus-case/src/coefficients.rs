@@ -8,7 +8,8 @@ use crate::grammar::Draft;
 use crate::pairwise;
 use crate::read::Echo;
 
-/// Factors on the strength of pairwise forces that were measured for a case, to be used where its file gives none.
+/// Factors on the strength of pairwise forces, or of the cohesion of a van der Waals fluid, that were measured for a
+/// case, to be used where its file gives none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Coefficients {
     /// Of cohesion, by the name of a fluid.
@@ -22,7 +23,7 @@ pub struct Coefficients {
 pub struct Given {
     /// The sound speed of each fluid. Else it follows from the largest speed of the case.
     pub sound_speed: Vec<bool>,
-    /// The strength of pairwise forces of each fluid, or there is none to give.
+    /// The strength of the cohesion of each fluid, or there is none to give.
     pub cohesion: Vec<bool>,
     /// The strength of the attraction of each wall, or there is none to give.
     pub adhesion: Vec<bool>,
@@ -33,8 +34,13 @@ impl Given {
         let by_tension = pairwise::model(draft).is_some() && !pairwise::has_gamma(draft);
         let fluids = || draft.fluids.iter();
         let has_tension = |fluid: usize| {
-            let fluid = draft.fluids.get(fluid);
-            by_tension && fluid.is_some_and(|fluid| fluid.fluid.surface_tension > 0.0)
+            let Some(fluid) = draft.fluids.get(fluid) else {
+                return false;
+            };
+            match &fluid.van_der_waals {
+                Some(own) => own.by_tension,
+                None => by_tension && fluid.fluid.surface_tension > 0.0,
+            }
         };
         let takes_angle = |adhesion| matches!(adhesion, Adhesion::ContactAngle(_));
         Self {

@@ -30,6 +30,7 @@
 //! - `grammar`: what may stand in a file
 //! - `read`: how a file is read, and its schema written, by one walk
 //! - `resolve`, `bodies`, `walls`, `overlap`, `speed`, `memory`: from the file to particles, and whether they make sense
+//! - `pairwise`, `adaptive_smoothing`, `van_der_waals`: what parts of it ask of the rest
 //! - `doubts`: warnings about what can be run, but not believed
 //! - `units`, `diagnostic`, `template`
 
@@ -49,6 +50,7 @@ mod schema;
 mod speed;
 mod template;
 mod units;
+mod van_der_waals;
 mod walls;
 
 pub use case::{Body, Case};

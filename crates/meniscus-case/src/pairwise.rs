@@ -52,6 +52,7 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
         });
     };
     let model = model(draft);
+    let cohesive = (draft.fluids.iter()).any(|fluid| fluid.van_der_waals.is_some());
     for wall in &draft.walls {
         let Some(span) = &wall.adhesion_span else {
             continue;
@@ -68,6 +69,13 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
         let is_coefficient = matches!(wall.adhesion, Adhesion::Coefficient(_));
         match model {
             None if takes_angle && !is_coefficient => {}
+            None if cohesive => say(
+                Severity::Error,
+                span,
+                format!("\"{name}\" can not attract the fluid"),
+                "a van der Waals fluid has no walls: their pressure is made for a liquid that is hardly compressed",
+                "take a liquid without `van_der_waals` and surface_tension = \"capillary-pressure\" under [physics], or leave the wall out",
+            ),
             None if takes_angle => say(
                 Severity::Error,
                 span,
@@ -93,7 +101,11 @@ pub(crate) fn check(draft: &Draft, problems: &mut Vec<Diagnostic>) {
         }
     }
     let by_tension = model.is_some() && !has_gamma(draft);
-    let factors = (draft.fluids.iter().map(|fluid| &fluid.cohesion_factor_span))
+    let stiff = draft
+        .fluids
+        .iter()
+        .filter(|fluid| fluid.van_der_waals.is_none());
+    let factors = (stiff.map(|fluid| &fluid.cohesion_factor_span))
         .chain(draft.walls.iter().map(|wall| &wall.adhesion_factor_span));
     for span in factors.flatten().filter(|_| !by_tension) {
         say(

@@ -16,6 +16,7 @@ use crate::grammar::{Draft, document};
 use crate::pairwise;
 use crate::read::{Context, Echo, Node};
 use crate::speed::{SpeedScales, default_sound_speed};
+use crate::van_der_waals;
 use crate::walls::largest_speed;
 
 pub(crate) fn resolve(
@@ -38,6 +39,7 @@ pub(crate) fn resolve(
     let mut problems = context.diagnostics.take();
     let case = if problems.is_empty() {
         measured.apply(&mut draft, &mut echo);
+        van_der_waals::complete(&mut draft);
         assemble(name, draft, &mut echo, &mut problems)
     } else {
         None
@@ -111,6 +113,7 @@ fn assemble(
     problems.extend(doubts(&draft, &volumes));
     pairwise::check(&draft, problems);
     adaptive_smoothing::check(&draft, problems);
+    van_der_waals::check(&draft, problems);
     if problems.iter().any(|p| p.severity == Severity::Error) {
         return None;
     }
@@ -118,8 +121,8 @@ fn assemble(
         pairwise::has_gamma(&draft) || fluids.iter().any(|fluid| fluid.surface_tension > 0.0);
     let given = Given::of(&draft);
     let stem = Path::new(name).file_stem();
-    let model = (draft.fluids.iter()).find_map(|draft| draft.van_der_waals.clone());
-    let (model, span) = model.unzip();
+    let own = (draft.fluids.iter()).find_map(|draft| draft.van_der_waals.clone());
+    let (model, span) = own.map(|own| (own.model, own.span)).unzip();
     let physics = draft.physics;
     let case = Case {
         name: stem.map_or(name.into(), |stem| stem.to_string_lossy().into_owned()),
@@ -160,7 +163,7 @@ fn assemble(
         particles,
         resolved: String::new(),
     };
-    let refused = span.and_then(|span| Some((span, van_der_waals_refused(&case)?)));
+    let refused = span.and_then(|span| Some((span, van_der_waals::refused(&case)?)));
     if let Some((span, reason)) = refused {
         problems.push(Diagnostic {
             severity: Severity::Error,
@@ -172,15 +175,6 @@ fn assemble(
         return None;
     }
     Some(case)
-}
-
-/// Why the library would not take a van der Waals fluid in this setting.
-fn van_der_waals_refused(case: &Case) -> Option<String> {
-    let checked = match case.dimension {
-        2 => case.setup::<2>().check(),
-        _ => case.setup::<3>().check(),
-    };
-    checked.err().map(|error| error.0)
 }
 
 /// Gives fluids without a sound speed the default, and warns of one that is too low.
@@ -228,7 +222,7 @@ fn warn_of_idle_surface_tension(draft: &Draft, problems: &mut Vec<Diagnostic>) {
     let idle = draft
         .fluids
         .iter()
-        .filter(|draft| draft.fluid.surface_tension > 0.0);
+        .filter(|draft| draft.fluid.surface_tension > 0.0 && draft.van_der_waals.is_none());
     problems.extend(
         idle.filter_map(|draft| draft.surface_tension_span.clone())
             .map(|span| Diagnostic {

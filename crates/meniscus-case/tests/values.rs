@@ -183,3 +183,42 @@ fn coefficients_are_those_measured_where_the_file_gives_none() {
     let own = Case::from_str_with("case.toml", &text("cohesion_factor = 2"), &measured).unwrap();
     assert_eq!(own.fluids[0].cohesion_factor, 2.0);
 }
+
+/// A cohesion as strong as was measured, or stated, and temperatures over the critical one as they were asked for.
+#[test]
+fn a_van_der_waals_liquid_is_as_strong_as_its_surface_tension_asks() {
+    let text = |tension: f64, more: &str| {
+        format!(
+            "dimension = 2\nspacing = 0.1\nend_time = 1\n[fluid.a]\ndensity = 2\nsurface_tension = {tension}\n{more}\n\
+             [fluid.a.van_der_waals]\nsubstance = {{ liquid = {{ reduced_temperature = 0.4 }} }}\ntemperature = 200\n\
+             [[body]]\nshape = {{ disc = {{ radius = 1 }} }}\n"
+        )
+    };
+    let measured = Coefficients {
+        cohesion: [("a".to_owned(), 1.5)].into(),
+        ..Coefficients::default()
+    };
+    let substance = |case: &Case| case.scheme.van_der_waals.unwrap().substance;
+    let plain = read(&text(1.0, ""));
+    assert!(!plain.given.is_complete() && plain.warnings.is_empty());
+    let sharp = meniscus::theory::step_surface_tension(
+        substance(&plain).cohesion,
+        2.0,
+        plain.scheme.kernel,
+        2.0 * plain.scheme.smoothing_length,
+        2,
+    );
+    assert!((sharp - 1.0).abs() < 1e-12, "{sharp}");
+    let case = Case::from_str_with("x", &text(4.0, ""), &measured).unwrap();
+    let (own, other) = (substance(&case), substance(&plain));
+    assert!((own.cohesion / other.cohesion - 6.0).abs() < 1e-12);
+    assert_eq!(own.excluded_volume, other.excluded_volume);
+    assert!((own.critical_point().temperature / 500.0 - 1.0).abs() < 1e-12);
+    let ratio = case.fluids[0].sound_speed / plain.fluids[0].sound_speed;
+    assert!((ratio * ratio - 6.0).abs() < 1e-12, "{ratio}");
+    let again = Case::from_str("x", case.to_toml()).unwrap();
+    assert!(again.given.is_complete());
+    assert_eq!((&again.fluids, &again.scheme), (&case.fluids, &case.scheme));
+    let stated = Case::from_str_with("x", &text(4.0, "cohesion_factor = 3"), &measured).unwrap();
+    assert!((substance(&stated).cohesion / own.cohesion - 2.0).abs() < 1e-12);
+}

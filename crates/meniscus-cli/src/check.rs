@@ -134,7 +134,32 @@ fn van_der_waals(case: &Case, model: &VanDerWaals) -> Vec<String> {
     let substance = &model.substance;
     let critical = substance.critical_point();
     let reduced = model.temperature / critical.temperature;
+    let fluid = &case.fluids[0];
     let mut lines = vec![
+        line(
+            "sound speed",
+            &format!(
+                "{} in {} at the start, {} of its repulsion alone; {} expected",
+                with_unit(fluid.sound_speed, "m/s", 4),
+                fluid.name,
+                with_unit(
+                    substance.stiff_sound_speed(fluid.density, model.temperature),
+                    "m/s",
+                    4
+                ),
+                with_unit(case.speeds.largest(), "m/s", 3)
+            ),
+        ),
+        line(
+            "substance",
+            &format!(
+                "R {}, a {}, b {}, xi {}",
+                with_unit(substance.gas_constant, "J/kg/K", 4),
+                with_unit(substance.cohesion, "Pa m^6/kg^2", 4),
+                with_unit(substance.excluded_volume, "m^3/kg", 4),
+                significant(substance.degrees_of_freedom, 3)
+            ),
+        ),
         line(
             "critical point",
             &format!(
@@ -174,6 +199,10 @@ fn van_der_waals(case: &Case, model: &VanDerWaals) -> Vec<String> {
         "sharp surface",
         &format!("{sharp} of that liquid; a soft one has less"),
     ));
+    if fluid.surface_tension > 0.0 {
+        let asked = with_unit(fluid.surface_tension, "N/m", 4);
+        lines.push(line("soft surface", &format!("{asked} asked for")));
+    }
     lines
 }
 

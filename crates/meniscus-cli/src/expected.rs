@@ -25,7 +25,8 @@ pub fn oscillation(case: &Case) -> Option<Expected> {
     let body = case.bodies.first()?;
     let fluid = &case.fluids[body.fluid];
     let (sigma, rho, dimension) = (fluid.surface_tension, fluid.density, case.dimension);
-    if sigma <= 0.0 || case.scheme.surface_tension.is_none() {
+    let scheme = &case.scheme;
+    if sigma <= 0.0 || scheme.surface_tension.is_none() && scheme.van_der_waals.is_none() {
         return None;
     }
     let radius = theory::equivalent_radius(body.volume, dimension);

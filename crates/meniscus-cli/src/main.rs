@@ -6,7 +6,7 @@
 //!   `expected`), on the terminal, in the report's `page` and `figures`
 //! - `appraise`: every model of surface tension through one suite of tests; `batch`: many cases side by side
 //! - `bench`: what the engine costs on this machine
-//! - `calibrate`: how strong pairwise forces must be for a case
+//! - `calibrate`: how strong cohesion and adhesion must be for a case
 //! - `check`: what a case is, without running it; `numbers` that tell of it
 //! - `reproduce`: the numbers of a paper beside ours, with a `verdict`
 //! - `starter` (`new`): help with writing cases

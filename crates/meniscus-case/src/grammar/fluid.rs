@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use meniscus::scheme::{Fluid, VanDerWaals};
+use meniscus::scheme::Fluid;
 
-use super::van_der_waals::van_der_waals;
+use super::van_der_waals::{DraftVanDerWaals, van_der_waals};
 use crate::read::{Fields, Node, Sign};
 use crate::units;
 
@@ -14,10 +14,10 @@ pub(crate) struct DraftFluid {
     /// Where the sound speed stands, if the file gives one.
     pub sound_speed_span: Option<Range<usize>>,
     pub surface_tension_span: Option<Range<usize>>,
-    /// Where the strength of pairwise forces stands, if the file gives it.
+    /// Where the strength of its cohesion stands, if the file gives it.
     pub cohesion_factor_span: Option<Range<usize>>,
-    /// What it is, where it is no liquid of nearly constant density, and where that stands.
-    pub van_der_waals: Option<(VanDerWaals, Range<usize>)>,
+    /// What it is, where it is no liquid of nearly constant density.
+    pub van_der_waals: Option<DraftVanDerWaals>,
 }
 
 pub(crate) fn fluid(name: &str, node: &mut Node<'_>) -> DraftFluid {
@@ -43,58 +43,75 @@ fn read(name: &str, node: &mut Node<'_>) -> DraftFluid {
                      above then is that of its particles at the start alone.";
         let van_der_waals = fields.optional("van_der_waals", about, |node| {
             node.context.van_der_waals.set(!describing);
-            (van_der_waals(node), node.span())
+            van_der_waals(node, density)
         });
         let plain = Fluid {
             viscosity,
             ..Fluid::new(name, density)
         };
         match van_der_waals {
-            Some((model, _)) if !describing => {
-                refuse_stiff_keys(fields);
-                DraftFluid {
-                    fluid: Fluid {
-                        sound_speed: sound_speed(&model, density),
-                        ..plain
-                    },
-                    sound_speed_span: None,
-                    surface_tension_span: None,
-                    cohesion_factor_span: None,
-                    van_der_waals,
-                }
-            }
+            Some(own) if !describing => cohesive(fields, plain, own),
             _ => stiff(fields, plain),
         }
     })
 }
 
-/// Complains of what a van der Waals fluid is not given.
-fn refuse_stiff_keys(fields: &mut Fields<'_, '_>) {
-    for key in [
-        "surface_tension",
-        "cohesion_factor",
-        "stiffness_exponent",
-        "background_pressure",
-        "sound_speed",
-    ] {
+/// A van der Waals fluid; its sound speed is left to whoever knows its strength.
+fn cohesive(fields: &mut Fields<'_, '_>, plain: Fluid, own: DraftVanDerWaals) -> DraftFluid {
+    refuse_stiff_keys(fields, own.by_tension);
+    let mut draft = DraftFluid {
+        fluid: Fluid {
+            sound_speed: f64::NAN,
+            ..plain
+        },
+        sound_speed_span: None,
+        surface_tension_span: None,
+        cohesion_factor_span: None,
+        van_der_waals: None,
+    };
+    if own.by_tension {
+        let about = "Surface tension of the liquid against its vapour, or against a void.";
+        draft.fluid.surface_tension = fields.required("surface_tension", about, |node| {
+            draft.surface_tension_span = Some(node.span());
+            node.quantity(&units::SURFACE_TENSION, Sign::Positive)
+        });
+        if let Some(factor) = cohesion_factor(fields, &mut draft.cohesion_factor_span) {
+            draft.fluid.cohesion_factor = factor;
+        }
+    }
+    DraftFluid {
+        van_der_waals: Some(own),
+        ..draft
+    }
+}
+
+fn cohesion_factor(fields: &mut Fields<'_, '_>, stands: &mut Option<Range<usize>>) -> Option<f64> {
+    let about = "Strength of pairwise forces, or of the cohesion of a van der Waals fluid, over that of a \
+                 sharp surface of this surface tension. Default: as `meniscus calibrate` measures it on a film.";
+    fields.optional("cohesion_factor", about, |node| {
+        *stands = Some(node.span());
+        node.number(Sign::Positive)
+    })
+}
+
+/// Complains of what a van der Waals fluid is not given, unless its cohesion follows from surface tension.
+fn refuse_stiff_keys(fields: &mut Fields<'_, '_>, by_tension: bool) {
+    let of_tension = ["surface_tension", "cohesion_factor"];
+    let others = ["stiffness_exponent", "background_pressure", "sound_speed"];
+    let help = "leave it out: it follows from the equation of state";
+    let instead = "leave it out: it follows from the equation of state; or leave that to it, \
+                   substance = { liquid = { reduced_temperature = 0.3 } }";
+    let refused = (of_tension.map(|key| (key, instead)).into_iter())
+        .filter(|_| !by_tension)
+        .chain(others.map(|key| (key, help)));
+    for (key, help) in refused {
         fields.optional(key, "Of a liquid of nearly constant density.", |node| {
             node.fail(
                 format!("a van der Waals fluid takes no `{key}`"),
                 "not of this fluid",
-                "leave it out: it follows from the equation of state",
+                help,
             );
         });
-    }
-}
-
-/// At the start; that of its repulsion where it is about to fall apart.
-fn sound_speed(model: &VanDerWaals, density: f64) -> f64 {
-    let (substance, temperature) = (&model.substance, model.temperature);
-    let whole = substance.sound_speed(density, temperature);
-    if whole.is_finite() {
-        whole
-    } else {
-        substance.stiff_sound_speed(density, temperature)
     }
 }
 
@@ -113,12 +130,7 @@ fn stiff(fields: &mut Fields<'_, '_>, plain: Fluid) -> DraftFluid {
         },
     );
     let mut cohesion_factor_span = None;
-    let about = "Strength of pairwise forces over that of a sharp surface of this surface tension. \
-                 Default: as `meniscus calibrate` measures it on a film.";
-    let cohesion_factor = fields.optional("cohesion_factor", about, |node| {
-        cohesion_factor_span = Some(node.span());
-        node.number(Sign::Positive)
-    });
+    let cohesion_factor = cohesion_factor(fields, &mut cohesion_factor_span);
     let about = "Exponent of the equation of state.";
     let stiffness_exponent = fields.or("stiffness_exponent", "7", about, |node| {
         node.number(Sign::Positive)

@@ -30,5 +30,6 @@ pub use measure::{
     TankSurface, Waist, Window,
 };
 pub use output::Output;
+pub(crate) use van_der_waals::DraftVanDerWaals;
 pub(crate) use wall::DraftWall;
 pub(crate) use wall_shape::{Surface, WallShape};

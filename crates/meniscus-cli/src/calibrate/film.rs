@@ -6,14 +6,13 @@
 //! free surface, and at its foot, after Young, what a wall without and with liquid differ by, -sigma cos(theta).
 
 use meniscus::measure::FilmStress;
-use meniscus::physics::surface_tension::pairwise::Pairwise;
-use meniscus::physics::surface_tension::pairwise::estimate::Resolution;
 use meniscus::rates::{Dimension, Space};
-use meniscus::scheme::{Adhesion, Bearing, BodyForce, Fluid, Scheme, Slip, TimeStep, Wall};
+use meniscus::scheme::{Adhesion, Bearing, BodyForce, Fluid, Scheme, Slip, Wall};
 use meniscus::shape::{Arrangement, Pattern, Shape};
-use meniscus::{Domain, Particle, Precision, Setup, Simulation, SurfaceTension, Vector};
-use meniscus_case::{Case, SpeedScales, default_sound_speed};
+use meniscus::{Domain, Particle, Setup, Simulation, Vector};
+use meniscus_case::{Case, SpeedScales};
 
+use super::liquid;
 use crate::failure::Failure;
 
 /// Largest displacement at the start, in spacings: none of the lattice is left.
@@ -59,7 +58,6 @@ pub struct Film {
     pub fluid: Fluid,
     /// What it stands on; none where both surfaces are free.
     pub foot: Option<Foot>,
-    pub(super) model: Pairwise,
     pub(super) scheme: Scheme,
     pub(super) spacing: f64,
     /// 2 or 3.
@@ -69,24 +67,10 @@ pub struct Film {
 }
 
 impl Film {
-    /// Of a fluid of a case, if pairwise forces are its surface tension.
+    /// Of a fluid of a case, if its surface tension is its own cohesion, by pairwise forces or as that of a van der
+    /// Waals fluid.
     pub fn new(case: &Case, index: usize) -> Option<Self> {
-        let Some(SurfaceTension::Pairwise(model)) = case.scheme.surface_tension else {
-            return None;
-        };
-        let (from, fluid) = (&case.scheme, &case.fluids[index]);
-        let spacing = case.spacing;
-        let scheme = Scheme {
-            kernel: from.kernel,
-            density: from.density,
-            density_diffusion: from.density_diffusion,
-            pressure: from.pressure,
-            velocity_smoothing: from.velocity_smoothing,
-            surface_tension: Some(SurfaceTension::Pairwise(model)),
-            time_step: TimeStep::Adaptive { safety: 1.0 },
-            precision: Precision::Double,
-            ..Scheme::new(from.smoothing_length)
-        };
+        let fluid = &case.fluids[index];
         let mut film = Self {
             fluid: Fluid {
                 // Rest does not depend on it.
@@ -95,9 +79,8 @@ impl Film {
                 ..fluid.clone()
             },
             foot: None,
-            model,
-            scheme,
-            spacing,
+            scheme: liquid::scheme(case)?,
+            spacing: case.spacing,
             dimension: case.dimension,
             speeds: (!case.given.sound_speed[index]).then_some(case.speeds),
         };
@@ -127,32 +110,6 @@ impl Film {
     fn time(&self) -> f64 {
         let share = if self.dimension == 2 { 1.0 } else { 0.5 };
         share * (self.fluid.density * self.spacing.powi(3) / self.fluid.surface_tension).sqrt()
-    }
-
-    fn resolution(&self) -> Resolution {
-        Resolution {
-            kernel: self.scheme.kernel,
-            smoothing_length: self.scheme.smoothing_length,
-            spacing: self.spacing,
-            dimension: self.dimension,
-        }
-    }
-
-    /// The liquid with forces of this strength, over that of a sharp surface.
-    pub(super) fn liquid(&self, factor: f64) -> Fluid {
-        let mut fluid = Fluid {
-            cohesion_factor: factor,
-            ..self.fluid.clone()
-        };
-        if let Some(speeds) = self.speeds {
-            let cohesion = self.model.cohesion_pressure(&fluid, &self.resolution());
-            let left = (cohesion - fluid.background_pressure).max(0.0);
-            fluid.sound_speed = default_sound_speed(&SpeedScales {
-                cohesion: (left / fluid.density).sqrt(),
-                ..speeds
-            });
-        }
-        fluid
     }
 
     /// The tension, N/m, that it pulls along itself with; none where it has left its wall. `seed` says which film.
@@ -198,10 +155,13 @@ impl Film {
             seed,
             ..Arrangement::new(self.pattern(), self.spacing)
         };
-        let reach = self.scheme.kernel.support() * self.scheme.smoothing_length;
+        let reach = self.reach();
         let thickness = (3.0 * reach).max(12.0 * self.spacing);
         let mut particles = self.layer(&domain, jittered, (0.0, thickness))?;
-        let mut scheme = self.scheme.clone();
+        for particle in &mut particles {
+            particle.position[D - 1] *= self.thinness();
+        }
+        let mut scheme = self.scheme_of(strength);
         if let Some(foot) = self.foot {
             let even = Arrangement::new(Pattern::Cubic, self.spacing);
             let depth = (reach / self.spacing).ceil() * self.spacing;
@@ -251,7 +211,7 @@ impl Film {
 
     /// As wide along each axis as the lattice fits into.
     fn domain<const D: usize>(&self) -> Domain<D> {
-        let reach = self.scheme.kernel.support() * self.scheme.smoothing_length / self.spacing;
+        let reach = self.reach() / self.spacing;
         let width = match D {
             2 => (6.0 * reach).max(24.0),
             _ => (2.5 * reach).max(10.0),
@@ -299,7 +259,11 @@ fn pull<const D: usize>(simulation: &Simulation<D>) -> Option<f64> {
         .filter(|&row| !simulation.is_wall(particles.body[row]))
         .collect();
     let positions: Vec<_> = rows.iter().map(|&row| particles.position[row]).collect();
-    let range = scheme.kernel.support() * scheme.smoothing_length;
+    let (kernel, h) = (scheme.kernel, scheme.smoothing_length);
+    let flow = simulation.van_der_waals();
+    let range = flow.map_or(kernel.support() * h, |flow| {
+        flow.range(particles, kernel, h)
+    });
     let lowest = positions
         .iter()
         .map(|x| x[D - 1])
@@ -307,7 +271,13 @@ fn pull<const D: usize>(simulation: &Simulation<D>) -> Option<f64> {
     if !scheme.walls.is_empty() && lowest > range {
         return None;
     }
-    let force = |i: usize, j: usize, offset| simulation.force_at_rest([rows[i], rows[j]], offset);
+    let force = |i: usize, j: usize, offset: Vector<f64, D>| match flow {
+        Some(flow) => {
+            let r = offset.norm();
+            offset * (flow.force_at_rest(particles, kernel, h, [rows[i], rows[j]], r) / r)
+        }
+        None => simulation.force_at_rest([rows[i], rows[j]], offset),
+    };
     let width = 0.5 * simulation.spacing();
     let stress = FilmStress::measure(&positions, simulation.domain(), range, width, force)?;
     // At rest nothing presses across a free film, but it swings; on a wall it is the wall that may press.

@@ -1,7 +1,8 @@
-//! `meniscus calibrate`: how strong pairwise forces must be for the surface tension and the contact angles of
-//! a case.
+//! `meniscus calibrate`: how strong pairwise forces, or the cohesion of a van der Waals fluid, must be for the surface
+//! tension and the contact angles of a case.
 //!
-//! - `film`: a flat film of the liquid, free or on a wall, and what it pulls with; `inputs`: what that depends on
+//! - `film`: a flat film of the liquid, free or on a wall, and what it pulls with; `liquid`: what holds it together;
+//!   `inputs`: what that depends on
 //! - `search`: the strength at which that is right
 //! - `store`: what was found, on disk, and for which inputs
 //! - `open`: what a case leaves to be measured
@@ -9,6 +10,7 @@
 
 mod film;
 mod inputs;
+mod liquid;
 mod open;
 mod search;
 mod store;
@@ -46,7 +48,7 @@ pub fn calibrate(path: &Path, json: bool, voice: Voice) -> Result<ExitCode, Fail
     let case = Case::from_file(path)?;
     if !leaves_any(&case) {
         return Err(Failure::new(format!(
-            "{} leaves nothing to be measured: only pairwise forces, such as \"akinci\", have a strength that follows from `surface_tension`, unless the file gives `cohesion_factor` (and walls `adhesion_factor`)",
+            "{} leaves nothing to be measured: only pairwise forces, such as \"akinci\", and a van der Waals fluid of substance = {{ liquid = ... }} have a strength that follows from `surface_tension`, unless the file gives `cohesion_factor` (and walls `adhesion_factor`)",
             path.display()
         )));
     }

@@ -86,7 +86,7 @@ impl Store {
 
     fn text(&self) -> String {
         let mut text = String::from(
-            "# Strength of pairwise forces, measured on flat films by `meniscus calibrate`.\n\
+            "# Strength of cohesion and adhesion, measured on flat films by `meniscus calibrate`.\n\
              # An entry is used where all its inputs are those of a case.\n",
         );
         let sections = [("fluid", &self.fluid), ("wall", &self.wall)];

@@ -104,12 +104,12 @@ fn drop<const D: usize>(case: &Case, frame: &Frame) -> Vec<Figure> {
             .with(Curve::points("particles", &radii, values))
             .figure(name, &at)
     };
-    let longest = p.smoothing_length.iter().copied().fold(h, f64::max);
-    let range = case.scheme.kernel.support() * model.cohesion_range * longest;
     let flow = Flow::<D>::new(model, case.fluids[0].viscosity);
+    let range = flow.range(&p, case.scheme.kernel, h);
     let width = 0.5 * case.spacing;
     let shells = ((outermost + range) / width) as usize;
-    let force = |i, j| flow.force_at_rest(&p, case.scheme.kernel, h, [i, j]);
+    let apart = |i: usize, j: usize| (p.position[i] - p.position[j]).norm();
+    let force = |i, j| flow.force_at_rest(&p, case.scheme.kernel, h, [i, j], apart(i, j));
     let stress = StressProfile::measure(&p.position, centre, range, width, shells, force);
     let middle: Vec<f64> = (0..shells).map(|k| (k as f64 + 0.5) * width).collect();
     // The innermost shells hold too few particles to average over.

@@ -85,10 +85,16 @@ fn profile(case: &Case, series: &Series, findings: &mut Findings) {
     let kernel = case.scheme.kernel;
     let cohesion = model.substance.cohesion;
     let step = theory::step_surface_tension(cohesion, density.value, kernel, long, case.dimension);
+    let asked = case.fluids[0].surface_tension;
+    let tension = if asked > 0.0 {
+        ("given", asked)
+    } else {
+        ("sharp surface", step)
+    };
     for ((found, (name, unit)), id) in means.into_iter().zip(PROFILE).zip(IDS) {
         let [liquid, vapour] = phases.unwrap_or([f64::NAN; 2]);
         let reference = match id {
-            "sigma-mechanical" => Some(("sharp surface", step)),
+            "sigma-mechanical" => Some(tension),
             "inside-density" | "liquid-density" => Some(("Maxwell", liquid)),
             "vapour-density" => Some(("Maxwell", vapour)),
             _ => None,
@@ -108,13 +114,7 @@ fn profile(case: &Case, series: &Series, findings: &mut Findings) {
         half_width: (by_laplace / pressure.value * pressure.half_width).abs(),
     };
     let name = "surface tension by Laplace, of the mechanical pressure inside";
-    findings.add(
-        "sigma-laplace",
-        name,
-        "N/m",
-        Some(("sharp surface", step)),
-        laplace,
-    );
+    findings.add("sigma-laplace", name, "N/m", Some(tension), laplace);
     let name = "surface tension of a sharp surface of the density inside";
     findings.add("sigma-step", name, "N/m", None, exact(step));
 }

@@ -103,11 +103,11 @@ fn profile<const D: usize>(
     };
     let mass: f64 = p.mass.iter().sum();
     let radius = meniscus::theory::equivalent_radius(mass / density, D);
-    let longest = p.smoothing_length.iter().copied().fold(h, f64::max);
-    let range = kernel.support() * flow.model().cohesion_range * longest;
+    let range = flow.range(p, kernel, h);
     let width = 0.5 * case.spacing;
     let shells = ((outline.mean_radius + range) / width) as usize;
-    let force = |i, j| flow.force_at_rest(p, kernel, h, [i, j]);
+    let apart = |i: usize, j: usize| (p.position[i] - p.position[j]).norm();
+    let force = |i, j| flow.force_at_rest(p, kernel, h, [i, j], apart(i, j));
     let stress = StressProfile::measure(&p.position, centre, range, width, shells, force);
     Some([
         density,

@@ -67,3 +67,37 @@ fn what_needs_no_films_or_cannot_be_read_is_said() {
     let damaged = place.run(&["run", "damaged.toml"]).code(1);
     has(&damaged.err, &["damaged.calibration.toml", "remove it"]);
 }
+
+/// A van der Waals liquid of this surface tension, density and temperature, of the shortest forces.
+fn cohesive_drop(tension: &str, density: &str, reduced_temperature: f64) -> String {
+    format!(
+        "dimension = 2\nspacing = \"0.1 mm\"\nend_time = \"10 us\"\nsmoothing_length = \"1.5 dx\"\n\n\
+         [fluid.argon]\ndensity = \"{density}\"\nsurface_tension = \"{tension}\"\n\n[fluid.argon.van_der_waals]\n\
+         substance = {{ liquid = {{ reduced_temperature = {reduced_temperature} }} }}\ntemperature = \"90 K\"\n\
+         cohesion_range = 1.25\n\n[[body]]\nshape = {{ disc = {{ radius = \"5 dx\" }} }}\n"
+    )
+}
+
+/// Surface tension and density are the scale of its films; the temperature over the critical one is not.
+#[test]
+fn a_van_der_waals_liquid_is_calibrated_at_its_reduced_temperature() {
+    let place = Workplace::new("calibrate-van-der-waals");
+    place.write("drop.toml", &cohesive_drop("13 mN/m", "1.4 g/cm^3", 0.4));
+    let done = place.run(&["calibrate", "drop.toml", "--json"]).ok();
+    let rows: Value = serde_json::from_str(&done.out).expect("JSON");
+    let number = |key: &str| rows[0][key].as_f64().expect("a number");
+    // A soft surface has less than a sharp one of the same cohesion, and the strength is all of the scale.
+    assert!(number("by_estimate") < number("asked"), "{rows}");
+    let product = number("factor") * number("by_estimate") / number("asked");
+    assert!((product - 1.0).abs() < 0.05, "{rows}");
+
+    place.write("drop.toml", &cohesive_drop("2.8 N/m", "5 g/cm^3", 0.4));
+    let known = place.run(&["check", "drop.toml"]).ok();
+    has(&known.out, &["cohesion of argon is", "2.800 N/m asked for"]);
+    let run = place.run(&["run", "drop.toml"]).ok();
+    assert!(!run.out.contains("measuring"), "{}", run.out);
+
+    place.write("drop.toml", &cohesive_drop("2.8 N/m", "5 g/cm^3", 0.5));
+    let warmer = place.run(&["check", "drop.toml"]).ok();
+    has(&warmer.out, &["cohesion of argon is not measured yet"]);
+}

@@ -23,10 +23,9 @@ pub(super) fn validate<const D: usize>(setup: &Setup<D>) -> Result<(), SetupErro
             "has its density by summation: continuity would not know what evaporates".into(),
         );
     }
-    if scheme.surface_tension.is_some() || fluid.surface_tension != 0.0 {
+    if scheme.surface_tension.is_some() {
         return complain(
-            "has its surface tension from its own cohesion: leave out surface tension and its model"
-                .into(),
+            "has its surface tension from its own cohesion: leave out the model of it".into(),
         );
     }
     if !scheme.walls.is_empty() {

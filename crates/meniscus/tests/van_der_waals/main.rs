@@ -1,5 +1,6 @@
 //! What a van der Waals fluid promises, stated as physics.
 //!
+//! - `film`: its surface tension, and the density of its liquid
 //! - `drop`: energy, momentum, a resumed run
 //! - `wave`: conduction, viscosity and sound in a periodic box
 //! - `setups`: what it refuses to start from
@@ -8,6 +9,7 @@
 mod common;
 
 mod drop;
+mod film;
 mod setups;
 mod wave;
 

@@ -208,14 +208,15 @@ impl<const D: usize> Flow<D> {
         [self.pushes[i], far]
     }
 
-    /// The force between two rows at rest, N, positive where they repel each other, by this kernel and
-    /// the scheme's smoothing length, m; without grad-h terms.
+    /// The force between two rows at rest that are `r` metres apart, N, positive where they repel each other, by this
+    /// kernel and the scheme's smoothing length, m; without grad-h terms.
     pub fn force_at_rest(
         &self,
         particles: &Particles<D>,
         kernel: Kernel,
         smoothing_length: f64,
         [i, j]: [usize; 2],
+        r: f64,
     ) -> f64 {
         let own = 0.5 * (particles.smoothing_length[i] + particles.smoothing_length[j]);
         let of_cohesion = if self.model.cohesion_adapts {
@@ -228,11 +229,16 @@ impl<const D: usize> Flow<D> {
             let density = particles.density[i];
             substance.repulsion(density, particles.temperature[i]) / (density * density)
         };
-        let r = (particles.position[i] - particles.position[j]).norm();
         let near = (over_square(i) + over_square(j)) * kernel.slope(r, own, D);
         let long = self.model.cohesion_range * of_cohesion;
         let far = 2.0 * substance.cohesion * kernel.slope(r, long, D);
         particles.mass[i] * particles.mass[j] * (far - near)
+    }
+
+    /// No forces act beyond this, m, by this kernel and the scheme's smoothing length, m.
+    pub fn range(&self, particles: &Particles<D>, kernel: Kernel, smoothing_length: f64) -> f64 {
+        let lengths = particles.smoothing_length.iter().copied();
+        kernel.support() * self.model.cohesion_range * lengths.fold(smoothing_length, f64::max)
     }
 
     /// What limits the next step.

@@ -8,6 +8,8 @@
 //! rho_c = 1 / (3 b), T_c = 8 a / (27 R b), p_c = a / (27 b^2), it is the same for all fluids:
 //! p_r = 8 T_r rho_r / (3 - rho_r) - 3 rho_r^2.
 
+use crate::theory::coexistence;
+
 /// Least value that 1 - b rho is taken to have. Particles that are thrown together may pass
 /// density 1/b, where the pressure of the fluid has no bound; that of the particles has this one.
 pub const LEAST_FREE_VOLUME: f64 = 0.03;
@@ -64,6 +66,56 @@ impl Substance {
             cohesion: 27.0 * thermal * thermal / (64.0 * pressure),
             excluded_volume: thermal / (8.0 * pressure),
             degrees_of_freedom,
+        }
+    }
+
+    /// The substance of cohesion `cohesion` (Pa m^6/kg^2) whose liquid is of this density, kg/m^3, where it stands beside
+    /// its vapour at `temperature` K, which is `reduced_temperature` of that of the critical point. None unless that
+    /// lies between 0 and 1.
+    ///
+    /// ```
+    /// use meniscus::physics::van_der_waals::Substance;
+    /// let fluid = Substance::of_liquid(2.0, 1.8071, 290.0, 0.85, 3.0).expect("below the critical point");
+    /// let critical = fluid.critical_point();
+    /// assert!((critical.temperature * 0.85 / 290.0 - 1.0).abs() < 1e-12);
+    /// // Tables of the van der Waals fluid give a liquid of 1.8071 critical densities, and its pressure.
+    /// assert!((critical.density - 1.0).abs() < 1e-4);
+    /// assert!((fluid.pressure(1.8071, 290.0) / critical.pressure - 0.50449).abs() < 1e-3);
+    /// ```
+    pub fn of_liquid(
+        cohesion: f64,
+        density: f64,
+        temperature: f64,
+        reduced_temperature: f64,
+        degrees_of_freedom: f64,
+    ) -> Option<Self> {
+        let critical_density = density / coexistence(reduced_temperature)?.liquid;
+        let excluded_volume = 1.0 / (3.0 * critical_density);
+        let critical_temperature = temperature / reduced_temperature;
+        Some(Self {
+            gas_constant: 8.0 * cohesion / (27.0 * excluded_volume * critical_temperature),
+            cohesion,
+            excluded_volume,
+            degrees_of_freedom,
+        })
+    }
+
+    /// The same fluid with all energies of its molecules `factor` times as large: its pressures and its surface
+    /// tension are that many times as large at the same densities and temperatures, and so is the square of any speed.
+    ///
+    /// ```
+    /// use meniscus::physics::van_der_waals::Substance;
+    /// let fluid = Substance::of_liquid(2.0, 1.8, 300.0, 0.3, 3.0).expect("a liquid");
+    /// let strong = fluid.stronger(4.0);
+    /// assert_eq!(strong.critical_point().temperature, fluid.critical_point().temperature);
+    /// assert_eq!(strong.pressure(1.9, 280.0), 4.0 * fluid.pressure(1.9, 280.0));
+    /// assert_eq!(strong.sound_speed(1.9, 280.0), 2.0 * fluid.sound_speed(1.9, 280.0));
+    /// ```
+    pub fn stronger(self, factor: f64) -> Self {
+        Self {
+            gas_constant: factor * self.gas_constant,
+            cohesion: factor * self.cohesion,
+            ..self
         }
     }
 
