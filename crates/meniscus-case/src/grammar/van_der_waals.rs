@@ -111,7 +111,7 @@ fn read(node: &mut Node<'_>, stated: &mut Stated) -> VanDerWaals {
 
 /// Temperatures over the critical one at which a liquid is told from its vapour by a film in a void, and is not
 /// nearly incompressible.
-const REDUCED_TEMPERATURES: std::ops::RangeInclusive<f64> = 0.1..=0.6;
+const REDUCED_TEMPERATURES: std::ops::RangeInclusive<f64> = 0.2..=0.6;
 
 const SUBSTANCE: &[Choice<Stated>] = &[
     Choice::new(
@@ -167,13 +167,13 @@ const SUBSTANCE: &[Choice<Stated>] = &[
             node.table(|fields| Stated::Liquid {
                 reduced_temperature: fields.required(
                     "reduced_temperature",
-                    "The temperature over that of the critical point, from 0.1 to 0.6.",
+                    "The temperature over that of the critical point, from 0.2 to 0.6.",
                     |node| {
                         let reduced = node.number(Sign::Positive);
                         if !REDUCED_TEMPERATURES.contains(&reduced) {
                             node.fail(
                                 format!("`reduced_temperature` is {reduced}"),
-                                "not from 0.1 to 0.6",
+                                "not from 0.2 to 0.6",
                                 "0.3 makes a liquid that is hardly compressed, with next to no vapour",
                             );
                         }

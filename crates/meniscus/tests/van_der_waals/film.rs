@@ -44,7 +44,7 @@ fn film(cohesion: f64, spacing: f64) -> Shown {
             body: 0,
         }
     });
-    let mut domain = Domain {
+    let domain = Domain {
         periodic: [Some((0.0, width as f64 * spacing)), None],
     };
     let mut particles: Vec<_> = particles.collect();
@@ -56,11 +56,10 @@ fn film(cohesion: f64, spacing: f64) -> Shown {
         fluids: vec![fluid],
         particles,
         spacing,
-        domain: domain.clone(),
+        domain,
     };
     let mut simulation = Simulation::new(setup).expect("a film");
     simulation.advance_to(100.0 * time).expect("it holds");
-    domain = simulation.domain().clone();
     let (p, scheme) = (simulation.particles(), simulation.scheme());
     let (kernel, h) = (scheme.kernel, scheme.smoothing_length);
     let flow = simulation.van_der_waals().expect("such a fluid");
