@@ -28,7 +28,7 @@ const FLOWS: [(&str, &str, &str); 14] = [
     (
         "a drop on a wall, of little weight",
         "cap under slight weight",
-        "change of the wetted radius",
+        "change of the wetted radius, over what weight and noise allow",
     ),
     ("a puddle", "puddle", "height"),
     ("rise between plates", "rise between plates", "height"),

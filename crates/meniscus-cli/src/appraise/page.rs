@@ -7,6 +7,7 @@ use meniscus_report::number::significant;
 use super::advice::advice;
 use super::cost::Cost;
 use super::score::{Cell, Score, order};
+use super::suite::ABOUT;
 use super::time_to_solution::time_to_solution;
 use crate::table::capital;
 
@@ -53,6 +54,9 @@ impl Page<'_> {
         page += &advice(self.scores);
         for (test, of_test) in groups(self.scores.iter(), |score| score.test) {
             let _ = write!(page, "\n## {}\n", capital(test));
+            if let Some((_, about)) = ABOUT.iter().find(|(name, _)| *name == test) {
+                let _ = write!(page, "\n{about}\n");
+            }
             for (quantity, scores) in groups(of_test.into_iter(), |score| score.quantity) {
                 page += &table(quantity, &scores);
             }

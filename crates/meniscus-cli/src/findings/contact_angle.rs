@@ -10,11 +10,12 @@ use meniscus_output::Series;
 use super::{Findings, exact, mean, window};
 use crate::sample::asked::CONTACT_ANGLE;
 
-/// Identities and names of the means of the first four columns.
-const NUMBERS: [(&str, &str); 4] = [
+/// Identities and names of the means of the first columns.
+const NUMBERS: [(&str, &str); 5] = [
     ("contact-angle", "contact angle by a circle or sphere"),
     ("contact-angle-tangent", "contact angle by the tangent"),
     ("wetted-radius", "radius of the wetted area"),
+    ("wetted-radius-circle", "the same, of that circle or sphere"),
     ("drop-height", "height of the drop"),
 ];
 
@@ -27,7 +28,9 @@ pub fn measure(case: &Case, series: &Series, findings: &mut Findings) {
     let exact_drop = shape_at_rest(case, asked);
     for ((column, unit), (id, name)) in CONTACT_ANGLE.into_iter().zip(NUMBERS) {
         let reference = match id {
-            "wetted-radius" => exact_drop.map(|(base, _)| ("Young and Laplace", base)),
+            "wetted-radius" | "wetted-radius-circle" => {
+                exact_drop.map(|(base, _)| ("Young and Laplace", base))
+            }
             "drop-height" => exact_drop.map(|(_, height)| ("Young and Laplace", height)),
             _ => expected,
         };

@@ -25,10 +25,11 @@ pub const CROWN: [(&str, &str); 3] = [
 ];
 
 /// Columns of `contact_angle`, of the first body.
-pub const CONTACT_ANGLE: [(&str, &str); 5] = [
+pub const CONTACT_ANGLE: [(&str, &str); 6] = [
     ("contact angle", "deg"),
     ("contact angle by tangent", "deg"),
     ("wetted radius", "m"),
+    ("wetted radius by circle", "m"),
     ("drop height", "m"),
     ("gap below the drop", "m"),
 ];
@@ -131,6 +132,7 @@ fn on_wall<const D: usize>(
         of_drop(|drop| drop.circle.value.to_degrees()),
         of_drop(|drop| drop.tangent.value.to_degrees()),
         of_drop(|drop| drop.wetted_radius.value),
+        of_drop(|drop| drop.circle_radius),
         of_drop(|drop| drop.height),
         heights.fold(f64::INFINITY, f64::min) - 0.5 * spacing,
     ]

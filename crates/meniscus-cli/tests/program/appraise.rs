@@ -59,3 +59,21 @@ fn unknown_models_and_tests_are_told_what_there_is() {
     has(&test.err, &["swim", "laplace", "swing"]);
     assert!(!place.path("out").exists());
 }
+
+#[test]
+fn a_suite_that_is_stopped_ends_in_good_order_and_is_run_anew() {
+    let place = Workplace::new("appraise-interrupted");
+    let few = [&FEW[..], &["--models", "continuum", "--tests", "swing"]].concat();
+    let mut run = place.start(&few);
+    let first = place.path("out/appraise/runs/swing-2d-13-jittered-1-continuum/series.csv");
+    run.wait_until("a run that has begun", || first.exists());
+    run.signal("INT");
+    let stopped = run.finish().code(130);
+    has(&stopped.err, &["stopping after this step"]);
+    assert!(stopped.out.is_empty());
+    assert!(!place.path("out/appraise/appraisal.md").exists());
+    has(&place.run(&few).code(1).err, &["--force"]);
+    let again = place.run(&[&few[..], &["--force"]].concat()).ok();
+    has(&again.out, &["## Swing"]);
+    assert!(!again.out.contains("Runs without a number"));
+}

@@ -85,6 +85,12 @@ pub fn readings() -> Vec<Reading> {
             quantity: "wetted radius",
             unit: "%",
             bar: Some(2.0),
+            read: |run| run.percent_above("wetted-radius-circle"),
+        },
+        Reading {
+            quantity: "wetted radius at its foot",
+            unit: "%",
+            bar: Some(2.0),
             read: |run| run.percent_above("wetted-radius"),
         },
         Reading {

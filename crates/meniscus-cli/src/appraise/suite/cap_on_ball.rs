@@ -32,7 +32,7 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
             for &start in starts {
                 add("ball", start, on_ball(dimension, resolution, angle));
             }
-            if dimension == 2 {
+            if effort == Effort::Full && dimension == 2 {
                 add("vessel", Start::Lattice, in_vessel(resolution, angle));
             }
         }
@@ -68,9 +68,9 @@ fn on_ball(dimension: usize, resolution: u32, angle: u32) -> Flow {
     )
 }
 
-/// What lies at the bottom of a vessel, two and a half times as large as the drop, under 90 degrees. 2D.
+/// What lies at the bottom of a vessel, three quarters larger than the drop, under 90 degrees. 2D.
 fn in_vessel(resolution: u32, angle: u32) -> Flow {
-    let wall = between_rings(2.5, resolution);
+    let wall = between_rings(1.75, resolution);
     let off = wall.hypot(1.0);
     let shape = format!(
         "{{ intersection = [{{ disc = {{ radius = 1, centre = [0, -{off}] }} }}, {{ disc = {{ radius = {wall} }} }}] }}"

@@ -59,6 +59,8 @@ fn check<const D: usize>(degrees: f64, volume: f64, local: f64) {
             (tangent.value.to_degrees() - degrees).abs() < local,
             "{shown}"
         );
+        let at_circle = (found.circle_radius - cap.base_radius).abs();
+        assert!(at_circle < 0.8, "{at_circle}: {shown}");
         let wide = (found.wetted_radius.value - cap.base_radius).abs();
         assert!(
             wide < 1.0 || wide < found.wetted_radius.half_width,
@@ -142,6 +144,8 @@ fn check_lens<const D: usize>(degrees: f64, volume: f64, wall_radius: f64, local
             (tangent.value.to_degrees() - degrees).abs() < local,
             "{shown}"
         );
+        let at_circle = (found.circle_radius - cap.base_radius).abs();
+        assert!(at_circle < 0.8, "{at_circle}: {shown}");
         let wide = (found.wetted_radius.value - cap.base_radius).abs();
         assert!(
             wide < 1.0 || wide < found.wetted_radius.half_width,
