@@ -15,7 +15,7 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
             for slip in ["no-slip", "free-slip"] {
                 let first = effort.starts()[0];
                 let starts: &[Start] = match (dimension, slip) {
-                    (2, "no-slip") => &effort.starts()[..2],
+                    (2, "no-slip") => effort.one_seed(),
                     _ => &[first],
                 };
                 for &start in starts {

@@ -26,7 +26,7 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
                 });
             };
             let starts = match dimension {
-                2 => &effort.starts()[..2],
+                2 => effort.one_seed(),
                 _ => &[Start::Lattice][..],
             };
             for &start in starts {

@@ -21,17 +21,15 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
             readings,
         });
     };
-    for &(dimension, resolution) in effort.of(&[(2, 10), (3, 7)], 2) {
+    for &(dimension, resolution) in effort.of(&[(2, 10), (3, 7), (2, 20), (3, 10)], 2) {
         for start in starts {
-            let readings = vec![drift(), largest_change()];
-            let flow = merging(dimension, resolution);
             add(
                 "two drops merge",
                 dimension,
                 resolution,
                 start,
-                flow,
-                readings,
+                merging(dimension, resolution),
+                vec![drift(), largest_change()],
             );
             let of_one = Reading {
                 quantity: "largest drift of one drop",
@@ -39,28 +37,28 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
                 bar: Some(1e-12),
                 read: drift_of_bodies,
             };
-            let readings = vec![drift(), of_one];
-            let flow = apart(dimension);
             add(
                 "five drops apart",
                 dimension,
                 resolution,
                 start,
-                flow,
-                readings,
+                apart(dimension),
+                vec![drift(), of_one],
             );
         }
     }
-    for start in starts {
-        add(
-            "thread breaks",
-            3,
-            5,
-            start,
-            thread(),
-            vec![largest_change(), neck()],
-        );
-        add("splash", 2, 10, start, splash(), vec![largest_change()]);
+    for &resolution in effort.of(&[5, 8], 1) {
+        for start in starts {
+            let readings = vec![largest_change(), neck()];
+            let flow = thread(resolution);
+            add("thread breaks", 3, resolution, start, flow, readings);
+        }
+    }
+    for &resolution in effort.of(&[10, 20], 1) {
+        for start in starts {
+            let readings = vec![largest_change()];
+            add("splash", 2, resolution, start, splash(), readings);
+        }
     }
     trials
 }
@@ -161,10 +159,11 @@ fn drift_of_bodies(run: &Evidence<'_>) -> Option<f64> {
 }
 
 /// A thread, endless along x, with the wave that grows fastest: k R = 0.7. Half of it is thinner.
-fn thread() -> Flow {
+fn thread(resolution: u32) -> Flow {
     let length = std::f64::consts::TAU / 0.7;
     // Whole numbers of spacings, or the seam has a gap.
-    let half = (0.5 * length * 5.0).round() / 5.0;
+    let spacings = f64::from(resolution);
+    let half = (0.5 * length * spacings).round() / spacings;
     let part = |start: f64, end: f64, radius: f64| {
         (
             format!(

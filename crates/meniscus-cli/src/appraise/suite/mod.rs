@@ -114,6 +114,12 @@ impl Effort {
         }
     }
 
+    /// The same, with one seed only.
+    fn one_seed(self) -> &'static [Start] {
+        let all = self.starts();
+        &all[..all.len().min(3)]
+    }
+
     /// The first `quick` of some resolutions, or all.
     fn of<T>(self, all: &[T], quick: usize) -> &[T] {
         match self {
