@@ -66,7 +66,10 @@ fn a_suite_that_is_stopped_ends_in_good_order_and_is_run_anew() {
     let few = [&FEW[..], &["--models", "continuum", "--tests", "swing"]].concat();
     let mut run = place.start(&few);
     let first = place.path("out/appraise/runs/swing-2d-13-jittered-1-continuum/series.csv");
-    run.wait_until("a run that has begun", || first.exists());
+    // Steps have been made.
+    run.wait_until("a run that is on its way", || {
+        std::fs::read_to_string(&first).is_ok_and(|series| series.lines().count() > 9)
+    });
     run.signal("INT");
     let stopped = run.finish().code(130);
     has(&stopped.err, &["stopping after this step"]);
