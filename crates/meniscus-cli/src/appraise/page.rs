@@ -133,7 +133,7 @@ fn table(quantity: &str, scores: &[&Score]) -> String {
         .into_iter()
         .filter(|dimension| {
             let runs = columns.iter().filter(|(d, _)| d == dimension).count();
-            unit == "%" && !variants && runs > 1
+            ["%", "deg"].contains(&unit) && runs > 1
         })
         .collect();
     for dimension in &ordered {
