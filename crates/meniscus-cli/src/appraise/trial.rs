@@ -34,6 +34,12 @@ impl Start {
         let (pattern, origin) = match (dimension, beside, self) {
             (2, Beside::Nothing, _) => ("triangular", ""),
             (_, Beside::Nothing, _) => ("hexagonal", ""),
+            (2, Beside::Floor, Start::Lattice | Start::Jittered(_)) => {
+                ("square", "origin = [\"0.5 dx\", \"0.5 dx\"]")
+            }
+            (_, Beside::Floor, Start::Lattice | Start::Jittered(_)) => {
+                ("cubic", "origin = [\"0.5 dx\", \"0.5 dx\", \"0.5 dx\"]")
+            }
             (2, Beside::Ball, Start::Lattice | Start::Jittered(_)) => ("rings", "origin = [0, 0]"),
             (_, Beside::Ball, Start::Lattice | Start::Jittered(_)) => {
                 ("shells", "origin = [0, 0, 0]")
@@ -65,6 +71,8 @@ pub enum Beside {
     Nothing,
     /// Walls along the axes, which a square or cubic lattice fits.
     Walls,
+    /// A floor at zero, on which the first row of a square or cubic lattice lies.
+    Floor,
     /// A round wall about the origin, which rings or shells fit, but not where they are turned: then
     /// it is a square or cubic lattice.
     Ball,

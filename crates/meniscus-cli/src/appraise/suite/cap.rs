@@ -52,7 +52,7 @@ pub fn flow(dimension: usize, angle: u32, slip: &str) -> Flow {
     Flow {
         viscosity: (2.0_f64 / 120.0).sqrt(),
         end_time: if dimension == 2 { 20.0 } else { 12.0 },
-        beside: Beside::Walls,
+        beside: Beside::Floor,
         bodies: vec![(
             format!(
                 "{{ intersection = [{{ {shape} = {{ radius = 1 }} }}, \

@@ -53,7 +53,7 @@ pub const ABOUT: [(&str, &str); 13] = [
     (
         "cap under slight weight",
         "A cap that has come to rest gets a weight of rho g R^2 / sigma = 0.01. Allowed is the change by theory, and \
-         95 % of the fluctuations before and after.",
+         95 % of the fluctuations before and after, up to 3 degrees and 2 %.",
     ),
     (
         "puddle",

@@ -13,6 +13,8 @@ const BOND: f64 = 0.01;
 /// When the weight begins, in 2D and 3D, and how long it takes to be there.
 const BEGIN: [f64; 2] = [16.0, 10.0];
 const RAMP: f64 = 2.0;
+/// The largest fluctuations that count: the bars of caps, in degrees and per cent.
+const REST: [f64; 2] = [3.0, 2.0];
 /// The part of the time before, and after, over which the drop is looked at: the last. As it creeps in
 /// that time, so it may later.
 const LAST: f64 = 0.5;
@@ -47,7 +49,7 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
                         quantity: "change of the contact angle, over what weight and noise allow",
                         unit: "",
                         bar: Some(1.0),
-                        read: |run| Some(angle_change(run)?.over_allowed()),
+                        read: |run| Some(angle_change(run)?.over_allowed(REST[0])),
                     },
                     Reading {
                         quantity: "change of the wetted radius",
@@ -59,7 +61,7 @@ pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
                         quantity: "change of the wetted radius, over what weight and noise allow",
                         unit: "",
                         bar: Some(1.0),
-                        read: |run| Some(radius_change(run)?.over_allowed()),
+                        read: |run| Some(radius_change(run)?.over_allowed(REST[1])),
                     },
                 ],
             });
@@ -94,8 +96,9 @@ struct Change {
 }
 
 impl Change {
-    fn over_allowed(&self) -> f64 {
-        self.found / (self.right.abs() + self.noise)
+    /// What fluctuates by more than `rest` is not at rest.
+    fn over_allowed(&self, rest: f64) -> f64 {
+        self.found / (self.right.abs() + self.noise.min(rest))
     }
 }
 

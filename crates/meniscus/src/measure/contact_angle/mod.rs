@@ -12,6 +12,7 @@ use super::centre_of_mass;
 use super::circle::Circle;
 use super::estimate::{Estimate, student_t};
 use super::foot::{DEPTH, DEPTH_UNKNOWN, Foot};
+use super::fragments::fragments;
 use super::surface::surface_particles;
 
 /// How thick the layer beside the wall is, in spacings.
@@ -21,6 +22,10 @@ const LAYER: f64 = 0.75;
 const LOCAL: f64 = 10.0;
 const LOCAL_HEIGHT: f64 = 0.75;
 const LOCAL_RADIUS: f64 = 0.75;
+/// How far particles of one piece are apart at most, in spacings, and the part of all that the largest
+/// piece of a drop holds at least.
+const LINK: f64 = 1.6;
+const ONE_DROP: f64 = 0.8;
 /// How far, in spacings, a profile may meet the wall from the outermost particle beside it. Farther
 /// off, a ragged edge has led the fit astray.
 const ASTRAY: f64 = 8.0;
@@ -46,7 +51,7 @@ pub struct DropOnWall {
 
 impl DropOnWall {
     /// Measures particles about `spacing` (m) apart that form one drop on `wall`; `None` where they
-    /// show too little of a surface for a fit.
+    /// show too little of a surface for a fit, or lie in pieces.
     ///
     /// Of drops at least eight spacings high, cut from lattices at any angle with and without
     /// disorder, `circle` finds 10 to 150 degrees within 1.5 degrees. `circle_radius` is good to
@@ -62,6 +67,11 @@ impl DropOnWall {
         spacing: f64,
         wall: &Base<D>,
     ) -> Option<Self> {
+        let pieces = fragments(positions, LINK * spacing);
+        let largest = pieces.iter().filter(|&&piece| piece == 0).count();
+        if (largest as f64) < ONE_DROP * positions.len() as f64 {
+            return None;
+        }
         let centre = centre_of_mass(positions, masses)?;
         let surface: Vec<_> = surface_particles(positions, spacing, std::slice::from_ref(wall))
             .into_iter()

@@ -210,6 +210,20 @@ fn a_ragged_edge_leads_no_radius_astray() {
 }
 
 #[test]
+fn what_has_broken_has_no_angle() {
+    let two = |apart: f64| {
+        let mut x = cut(12.0, 0.0, 0.1, |x: &Vector<f64, 2>| {
+            x[1] > 0.0 && x.norm() < 10.0
+        });
+        let half: Vec<_> = x.iter().map(|x| *x + Vector([apart, 0.0])).collect();
+        x.extend(half);
+        DropOnWall::measure(&x, &vec![1.0; x.len()], 1.0, &floor())
+    };
+    assert_eq!(two(40.0), None);
+    assert!(two(19.0).is_some());
+}
+
+#[test]
 fn what_is_no_drop_has_no_angle() {
     let wall = floor();
     let few = [Vector([0.0, 0.5]), Vector([1.0, 0.5])];
