@@ -1,6 +1,6 @@
 //! A flat film of a case's liquid, and what it pulls with.
 //!
-//! Close packed, jittered out of any order, brought to rest by a drag; it repeats along itself, and at
+//! Close packed, jittered out of order, brought to rest by a drag; it repeats along itself, and at
 //! rest nothing presses across it. Where both its surfaces are free it pulls with twice its surface tension sigma. On
 //! a flat wall the forces within the liquid pull with sigma (1 - cos(theta)), theta the contact angle: sigma of its
 //! free surface, and at its foot, after Young, what a wall without and with liquid differ by, -sigma cos(theta).
@@ -15,8 +15,6 @@ use meniscus_case::{Case, SpeedScales};
 use super::liquid;
 use crate::failure::Failure;
 
-/// Largest displacement at the start, in spacings: none of the lattice is left.
-const JITTER: f64 = 0.5;
 /// Time to come to rest, and that of the measurements after it, in sqrt(rho dx^3 / sigma), in the plane; in space,
 /// where a particle has more neighbours to lose its motion to, it is half of that.
 const REST: f64 = 60.0;
@@ -151,12 +149,12 @@ impl Film {
     fn setup<const D: usize>(&self, strength: Strength, seed: u64) -> Result<Setup<D>, Failure> {
         let domain = self.domain::<D>();
         let jittered = Arrangement {
-            jitter: JITTER,
+            jitter: self.jitter(),
             seed,
             ..Arrangement::new(self.pattern(), self.spacing)
         };
         let reach = self.reach();
-        let thickness = (3.0 * reach).max(12.0 * self.spacing);
+        let thickness = (self.thickness() * reach).max(12.0 * self.spacing);
         let mut particles = self.layer(&domain, jittered, (0.0, thickness))?;
         for particle in &mut particles {
             particle.position[D - 1] *= self.thinness();
@@ -214,7 +212,7 @@ impl Film {
         let reach = self.reach() / self.spacing;
         let width = match D {
             2 => (6.0 * reach).max(24.0),
-            _ => (2.5 * reach).max(10.0),
+            _ => (self.breadth() * reach).max(10.0),
         };
         let periods = match self.pattern() {
             Pattern::ClosePacked => [1.0, 3.0_f64.sqrt()],

@@ -12,7 +12,11 @@ use super::film::{Film, Strength};
 const ALL_HEAT: f64 = 1e6;
 /// Viscosity of a van der Waals liquid over sqrt(rho sigma dx): at rest it has no part.
 const VISCOSITY: f64 = 0.3;
-/// How thin a van der Waals film is laid, so that no jitter has it denser than it can be.
+/// Largest displacement at the start, in spacings: none of the lattice is left.
+const JITTER: f64 = 0.5;
+/// The same for a van der Waals film, and how thin it is laid, so that it is nowhere denser than it can be. It loses
+/// its order as it draws together.
+const LITTLE_JITTER: f64 = 0.25;
 const THIN: f64 = 1.3;
 
 /// The equations of a case as far as a film at rest knows them, if a film of this fluid would tell anything.
@@ -101,6 +105,31 @@ impl Film {
             model.substance = model.substance.stronger(strength.cohesion);
         }
         scheme
+    }
+
+    /// How thick a film is over the reach of its forces: so that its surfaces do not feel each other, those of pairwise
+    /// forces over any layers that the particles beneath them lie in.
+    pub(super) fn thickness(&self) -> f64 {
+        match self.scheme.van_der_waals {
+            Some(_) => 2.0,
+            None => 3.0,
+        }
+    }
+
+    /// How broad it is in space over that reach; one of long reach has particles enough.
+    pub(super) fn breadth(&self) -> f64 {
+        match self.scheme.van_der_waals {
+            Some(_) => 1.5,
+            None => 2.5,
+        }
+    }
+
+    /// By how much of a spacing, at most, its particles are displaced at the start.
+    pub(super) fn jitter(&self) -> f64 {
+        match self.scheme.van_der_waals {
+            Some(_) => LITTLE_JITTER,
+            None => JITTER,
+        }
     }
 
     /// How much thinner than at rest it is laid.

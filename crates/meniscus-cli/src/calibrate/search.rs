@@ -33,8 +33,18 @@ const SPACE: Films = Films {
     on_wall: 6,
 };
 
+/// Those of a van der Waals liquid, whose kernels hold many particles, differ by less.
+const SMOOTH_PLANE: Films = Films { free: 5, ..PLANE };
+const SMOOTH_SPACE: Films = Films { free: 3, ..SPACE };
+
 fn films_of(film: &Film) -> Films {
-    if film.dimension == 2 { PLANE } else { SPACE }
+    let smooth = film.pairwise().is_none();
+    match (film.dimension, smooth) {
+        (2, false) => PLANE,
+        (2, true) => SMOOTH_PLANE,
+        (_, false) => SPACE,
+        (_, true) => SMOOTH_SPACE,
+    }
 }
 
 /// A strength is right when films show surface tension to within this share, and the cosine of the contact angle to

@@ -52,16 +52,20 @@ impl FilmStress {
         let mut normal = vec![0.0; layers as usize];
         let mut tangential = normal.clone();
         for i in 0..positions.len() {
-            for j in 0..positions.len() {
+            for j in i..positions.len() {
                 let apart = positions[i] - positions[j];
+                // Two particles have all their images at once, one with itself has each twice.
+                let times = if i == j { 0.5 } else { 1.0 };
+                if apart[across].abs() >= range {
+                    continue;
+                }
                 domain.for_each_image(apart, range, &mut |line| {
                     let square = line.norm_squared();
                     if !(square < range * range && square > 0.0) {
                         return;
                     }
                     let pull = force(i, j, line);
-                    // Each pair comes twice.
-                    let share = 0.5 / (area * width * PIECES as f64);
+                    let share = times / (area * width * PIECES as f64);
                     let along_normal = pull[across] * line[across];
                     let along_film = pull.dot(&line) - along_normal;
                     for piece in 0..PIECES {
