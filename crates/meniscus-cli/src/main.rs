@@ -106,7 +106,7 @@ enum Command {
         #[command(flatten)]
         place: Place,
     },
-    /// Measure how strong pairwise forces must be for the surface tension of a case, and store it.
+    /// Measure how strong the cohesion of a fluid must be for the surface tension of a case, and store it.
     Calibrate {
         /// The case file (TOML).
         case: PathBuf,

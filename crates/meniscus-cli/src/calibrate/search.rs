@@ -35,15 +35,12 @@ const SPACE: Films = Films {
 
 /// Those of a van der Waals liquid, whose kernels hold many particles, differ by less.
 const SMOOTH_PLANE: Films = Films { free: 5, ..PLANE };
-const SMOOTH_SPACE: Films = Films { free: 3, ..SPACE };
 
 fn films_of(film: &Film) -> Films {
-    let smooth = film.pairwise().is_none();
-    match (film.dimension, smooth) {
-        (2, false) => PLANE,
-        (2, true) => SMOOTH_PLANE,
-        (_, false) => SPACE,
-        (_, true) => SMOOTH_SPACE,
+    match (film.dimension, film.pairwise()) {
+        (2, Some(_)) => PLANE,
+        (2, None) => SMOOTH_PLANE,
+        _ => SPACE,
     }
 }
 
