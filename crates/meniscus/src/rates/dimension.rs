@@ -27,6 +27,7 @@ pub struct Space;
 pub struct Table<const D: usize> {
     pub(crate) advance_density: fn(&mut Rates<D>, &mut Particles<D>, f64, f64),
     pub(crate) accelerate: fn(&mut Rates<D>, &mut Particles<D>, f64),
+    pub(crate) put_in_order: fn(&mut Rates<D>, &mut Particles<D>, f64),
     pub(crate) rebuild: fn(&mut Pairs<D>, &mut Particles<D>),
     pub(crate) diagnose: fn(&Rates<D>, &Particles<D>, &Domain<D>, f64, usize) -> Culprit,
 }
@@ -40,6 +41,7 @@ macro_rules! compile_for {
                 Table {
                     advance_density: Rates::<$D>::advance_density,
                     accelerate: Rates::<$D>::accelerate,
+                    put_in_order: Rates::<$D>::put_in_order,
                     rebuild: Pairs::<$D>::rebuild,
                     diagnose: divergence::diagnose::<$D>,
                 }

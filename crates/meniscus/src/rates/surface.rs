@@ -2,12 +2,13 @@
 
 use super::Rates;
 use crate::domain::Domain;
+use crate::fluid::Fluid;
 use crate::pairs::Pairs;
 use crate::particles::Particles;
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::balanced;
 use crate::physics::surface_tension::bodies::Bodies;
-use crate::physics::surface_tension::capillary_pressure::{self, Closeness, Load};
+use crate::physics::surface_tension::capillary_pressure::{self, Closeness, Load, Order};
 use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
 use crate::physics::surface_tension::mesh;
 use crate::physics::surface_tension::surface::Surface;
@@ -223,6 +224,30 @@ impl<const D: usize> Rates<D> {
             if walls.is_wall(particles.body[row]) {
                 *a += self.vectors[row] * (1.0 / particles.density[row]);
             }
+        }
+    }
+
+    /// Puts particles beside walls in order, where the model asks for it, for `dt` seconds: after the forces of a step, in
+    /// whose order of rows it knows their places.
+    pub(crate) fn put_in_order(&mut self, particles: &mut Particles<D>, dt: f64) {
+        let Some(SurfaceTension::CapillaryPressure(_)) = self.scheme.surface_tension else {
+            return;
+        };
+        let Fluid {
+            surface_tension,
+            density,
+            ..
+        } = self.fluids[0];
+        if self.walls.is_empty() || surface_tension == 0.0 {
+            return;
+        }
+        let order = Order::new(surface_tension, density, self.spacing);
+        let surface = &self.surface;
+        if let Some(near) = self.pairs.second() {
+            let minds = |rows| Order::minds(surface, rows);
+            near.sweep(&order, particles, minds, &mut self.vectors);
+            order.restore(surface, &self.vectors, particles, dt);
+            self.update_pressure(particles);
         }
     }
 

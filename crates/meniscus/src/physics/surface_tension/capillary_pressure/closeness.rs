@@ -3,6 +3,7 @@
 //!
 //! rho_0 a_i = K sigma / dx^3 sum_j (0.8 dx - x_ij) x_ij / |x_ij|
 
+use super::order;
 use crate::kernel::Kernel;
 use crate::particles::Particles;
 use crate::real::Real;
@@ -32,10 +33,12 @@ impl Closeness {
         }
     }
 
-    /// The kernel and smoothing length whose lists hold the pairs that push.
-    pub fn range(spacing: f64) -> (Kernel, f64) {
+    /// The kernel and smoothing length whose lists hold the pairs that push, and beside walls those that
+    /// [`Order`](super::Order) asks for.
+    pub fn range(spacing: f64, walled: bool) -> (Kernel, f64) {
         let kernel = Kernel::WendlandC2;
-        (kernel, REST * spacing / kernel.support())
+        let reach = if walled { order::REACH } else { REST };
+        (kernel, reach * spacing / kernel.support())
     }
 }
 

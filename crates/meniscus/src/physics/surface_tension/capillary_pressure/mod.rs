@@ -14,7 +14,7 @@
 //! q feels how far the angle is from that of Young, as in the derivative of an energy, the area of the surface and the wet wall's.
 //!
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
-//! other (`closeness`). Forces and moments of each free body are balanced ([`super::bodies`]).
+//! other (`closeness`); beside walls they are also put in order (`order`). Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
 //! Walls take the pressure p of the liquid beside them, less the q of their own place, and bear q as well (`load`). The pull of
 //! a contact line on its wall is not part of the wall's load, nor what the gradient on the mesh differs by from sums over pairs.
@@ -22,9 +22,11 @@
 mod closeness;
 mod load;
 mod nodes;
+mod order;
 
 pub use closeness::Closeness;
 pub use load::Load;
+pub use order::Order;
 
 use super::bodies::balance;
 use super::mesh::{Layered, Surroundings};
@@ -32,6 +34,7 @@ use super::surface::Surface;
 use crate::particles::Particles;
 use crate::vector::Vector;
 use nodes::{MARGIN, Nodes, PERIODIC_MARGIN};
+use order::Place;
 
 /// The model; it has no parameter.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,6 +57,8 @@ pub(super) struct Scratch<const D: usize> {
     held: Vec<u32>,
     points: Vec<Vector<f64, D>>,
     felt: Vec<(f64, Vector<f64, D>)>,
+    /// Of all rows.
+    places: Vec<Place>,
 }
 
 impl CapillaryPressure {
@@ -78,6 +83,8 @@ impl CapillaryPressure {
         let mut scratch = std::mem::take(&mut surface.capillary_pressure);
         surroundings.list_rows(&mut scratch.rows);
         let rows = std::mem::take(&mut scratch.rows);
+        scratch.places.clear();
+        scratch.places.resize(count, Place::default());
         for rows in &rows {
             scratch.pull(particles, rows, surroundings, surface);
         }
@@ -122,6 +129,10 @@ impl<const D: usize> Scratch<D> {
             surface.curvature[i] = curvature / spacing;
             if (surroundings.wall)(i).is_some() {
                 continue;
+            }
+            if let Some([filled, smooth]) = self.nodes.filled() {
+                let [smooth, filled] = [smooth, filled].map(|field| mesh.feel_at(field, x).0);
+                self.places[i] = Place::beside_walls(smooth, filled);
             }
             let mut force = *gradient * (-sigma / spacing);
             let colour = &self.nodes.colour;

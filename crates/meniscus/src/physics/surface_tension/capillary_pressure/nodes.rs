@@ -26,6 +26,7 @@
 use rayon::prelude::*;
 
 use super::super::mesh::{Fill, Layered, Mesh};
+use super::order;
 use crate::vector::Vector;
 
 /// Passes of smoothing of the colour, and of the curvature.
@@ -40,8 +41,8 @@ const SURFACE: [f64; 2] = [0.2, 0.8];
 const LEEWAY: f64 = 0.05;
 /// Slope of the colour below which it has no direction, 1/dx.
 const LEAST_SLOPE: f64 = 0.02;
-/// Colours of a wall between which it ends.
-const WALL: [f64; 2] = [0.15, 0.55];
+/// Colours of a wall between which it ends, about that of its surface.
+const WALL: [f64; 2] = [0.3, 0.7];
 /// Colour of a wall from which on nothing is divided by what it leaves.
 const SOLID: f64 = 0.95;
 /// f
@@ -62,6 +63,9 @@ pub(super) struct Nodes<const D: usize> {
     pub colour: Vec<f64>,
     /// kappa
     pub curvature: Vec<f64>,
+    /// Of liquid and walls together, and smoothed more, where there are walls.
+    filled: Vec<f64>,
+    deep: Vec<f64>,
     wall: Vec<f64>,
     wetting: Vec<f64>,
     normal: Vec<Vector<f64, D>>,
@@ -96,6 +100,8 @@ impl<const D: usize> Nodes<D> {
             (&mut self.weight, mesh.len()),
             (&mut self.pull, mesh.len()),
             (&mut self.line, of_walls),
+            (&mut self.filled, of_walls),
+            (&mut self.deep, of_walls),
             (&mut self.wall, of_walls),
             (&mut self.wetting, of_walls),
         ] {
@@ -109,6 +115,12 @@ impl<const D: usize> Nodes<D> {
             mesh.spread(walls, [&mut self.wall, &mut self.wetting]);
             mesh.smooth(&mut self.wall, spare, PASSES);
             mesh.smooth(&mut self.wetting, spare, PASSES);
+            let both = self.colour.iter().zip(&self.wall);
+            for (filled, (colour, wall)) in self.filled.iter_mut().zip(both) {
+                *filled = colour + wall;
+            }
+            self.deep.copy_from_slice(&self.filled);
+            mesh.smooth(&mut self.deep, spare, order::PASSES);
             for (colour, wall) in self.colour.iter_mut().zip(&self.wall) {
                 *colour /= 1.0 - wall.min(SOLID);
             }
@@ -116,6 +128,11 @@ impl<const D: usize> Nodes<D> {
         self.find_normals(mesh);
         self.weigh(mesh);
         self.average(mesh);
+    }
+
+    /// The colour of liquid and walls together, as it is and smoothed more; none without walls.
+    pub fn filled(&self) -> Option<[&[f64]; 2]> {
+        (!self.filled.is_empty()).then_some([&self.filled, &self.deep])
     }
 
     /// n, at the surface and one node around.
