@@ -46,27 +46,44 @@ fn drop<const D: usize>(
 /// Angle of the lattice, and its disorder.
 const LATTICES: [(f64, f64); 5] = [(0.0, 0.0), (0.4, 0.0), (0.0, 0.2), (1.2, 0.2), (0.2, 0.1)];
 
+/// An angle in degrees, a radius and a height are found: the angle by the tangent within `local` degrees.
+fn assert_right(
+    found: &DropOnWall,
+    degrees: f64,
+    [radius, height]: [f64; 2],
+    local: f64,
+    shown: &str,
+) {
+    let (circle, tangent) = (found.circle, found.tangent);
+    let off = circle.value.to_degrees() - degrees;
+    assert!(off.abs() < 1.5, "{shown}");
+    assert!(off.abs() < 2.0 * circle.half_width.to_degrees(), "{shown}");
+    assert!(
+        (tangent.value.to_degrees() - degrees).abs() < local,
+        "{shown}"
+    );
+    let at_circle = (found.circle_radius - radius).abs();
+    assert!(at_circle < 0.8, "{at_circle}: {shown}");
+    let wide = (found.wetted_radius.value - radius).abs();
+    assert!(
+        wide < 1.0 || wide < found.wetted_radius.half_width,
+        "{shown}"
+    );
+    assert!((found.height - height).abs() < 0.5, "{shown}");
+}
+
 fn check<const D: usize>(degrees: f64, volume: f64, local: f64) {
     for (lattice, tilt) in LATTICES.into_iter().zip([0.0, 0.5, 2.0, 4.0, 5.5]) {
         let (cap, found) = drop::<D>(degrees, volume, lattice, tilt);
         let found = found.unwrap();
         let shown = format!("{D}D, {degrees}, {lattice:?}: {found:?}");
-        let (circle, tangent) = (found.circle, found.tangent);
-        let off = circle.value.to_degrees() - degrees;
-        assert!(off.abs() < 1.5, "{shown}");
-        assert!(off.abs() < 2.0 * circle.half_width.to_degrees(), "{shown}");
-        assert!(
-            (tangent.value.to_degrees() - degrees).abs() < local,
-            "{shown}"
+        assert_right(
+            &found,
+            degrees,
+            [cap.base_radius, cap.height],
+            local,
+            &shown,
         );
-        let at_circle = (found.circle_radius - cap.base_radius).abs();
-        assert!(at_circle < 0.8, "{at_circle}: {shown}");
-        let wide = (found.wetted_radius.value - cap.base_radius).abs();
-        assert!(
-            wide < 1.0 || wide < found.wetted_radius.half_width,
-            "{shown}"
-        );
-        assert!((found.height - cap.height).abs() < 0.5, "{shown}");
     }
 }
 
@@ -136,22 +153,13 @@ fn check_lens<const D: usize>(degrees: f64, volume: f64, wall_radius: f64, local
         let (cap, found) = lens::<D>(degrees, volume, wall_radius, lattice, way);
         let found = found.unwrap();
         let shown = format!("{D}D, {degrees} on {wall_radius}, {lattice:?}: {cap:?}, {found:?}");
-        let (circle, tangent) = (found.circle, found.tangent);
-        let off = circle.value.to_degrees() - degrees;
-        assert!(off.abs() < 1.5, "{shown}");
-        assert!(off.abs() < 2.0 * circle.half_width.to_degrees(), "{shown}");
-        assert!(
-            (tangent.value.to_degrees() - degrees).abs() < local,
-            "{shown}"
+        assert_right(
+            &found,
+            degrees,
+            [cap.base_radius, cap.height],
+            local,
+            &shown,
         );
-        let at_circle = (found.circle_radius - cap.base_radius).abs();
-        assert!(at_circle < 0.8, "{at_circle}: {shown}");
-        let wide = (found.wetted_radius.value - cap.base_radius).abs();
-        assert!(
-            wide < 1.0 || wide < found.wetted_radius.half_width,
-            "{shown}"
-        );
-        assert!((found.height - cap.height).abs() < 0.5, "{shown}");
     }
 }
 
