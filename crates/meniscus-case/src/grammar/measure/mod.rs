@@ -1,6 +1,7 @@
 //! What is measured.
 
 mod read;
+mod wetting;
 
 use meniscus::physics::wall::layout::Side;
 
