@@ -127,6 +127,10 @@ fn lay<const D: usize>(
             let positions = layers.polygon(corners, *side)?;
             return Ok(positions.iter().map(Vector::to_3d).collect());
         }
+        WallShape::Revolved { profile, side } => {
+            let positions = layers.revolved(profile, *side)?;
+            return Ok(positions.iter().map(Vector::to_3d).collect());
+        }
         WallShape::Mesh { mesh, side } => {
             let mesh = mesh.as_ref().ok_or(FillError::Empty)?;
             let positions = layers.mesh(mesh, *side)?;
@@ -170,10 +174,14 @@ fn across_the_box<const D: usize>(
 pub(crate) fn largest_speed(walls: &[(WallBody, Wall)], particles: &[Particle<3>]) -> f64 {
     let speed = |wall: &Wall| match wall.motion {
         Motion::Oscillation {
+            velocity,
             amplitude,
             frequency,
             ..
-        } => std::f64::consts::TAU * frequency * Vector(amplitude).norm(),
+        } => {
+            let swing = std::f64::consts::TAU * frequency * Vector(amplitude).norm();
+            Vector(velocity).norm() + swing
+        }
         _ => (particles.iter().filter(|p| p.body == wall.body))
             .map(|p| p.velocity.norm())
             .fold(0.0, f64::max),

@@ -31,6 +31,12 @@ pub(super) fn arrangement<const D: usize>(node: &mut Node<'_>, spacing: f64) -> 
                 close_packed,
             )
             .only_in(3),
+            Choice::new(
+                "discs",
+                "Discs of rings, all one spacing apart, along the axis of a cylinder or of what is revolved; otherwise along x.",
+                stacked,
+            )
+            .only_in(3),
             Choice::new("shells", "Spherical shells one spacing apart.", concentric).only_in(3),
         ],
     );
@@ -48,6 +54,10 @@ fn close_packed<const D: usize>(node: &mut Node<'_>) -> Arrangement<D> {
 
 fn concentric<const D: usize>(node: &mut Node<'_>) -> Arrangement<D> {
     pattern(node, Pattern::Concentric)
+}
+
+fn stacked<const D: usize>(node: &mut Node<'_>) -> Arrangement<D> {
+    pattern(node, Pattern::Stacked)
 }
 
 fn pattern<const D: usize>(node: &mut Node<'_>, pattern: Pattern) -> Arrangement<D> {

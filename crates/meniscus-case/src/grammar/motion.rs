@@ -47,12 +47,18 @@ pub(super) fn motions<const D: usize>() -> [Choice<Motion>; 4] {
         }),
         Choice::new(
             "oscillation",
-            "To and fro: displaced by amplitude (sin(2 pi frequency t + phase) - sin(phase)).",
+            "To and fro: displaced by velocity t + amplitude (sin(2 pi frequency t + phase) - sin(phase)).",
             |node| {
                 node.table(|fields| {
                     let about = "The amplitude.";
                     let (amplitude, frequency, phase) = swing(fields, &units::LENGTH, about);
+                    let still = format!("[{}]", ["'0 m/s'"; D].join(", "));
+                    let about = "The velocity of its middle.";
+                    let velocity = fields.or("velocity", &still, about, |node| {
+                        node.vector(&units::SPEED, Sign::Any)
+                    });
                     Motion::Oscillation {
+                        velocity,
                         amplitude,
                         frequency,
                         phase,

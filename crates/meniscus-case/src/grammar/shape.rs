@@ -1,7 +1,7 @@
 //! The regions that bodies fill.
 
 use meniscus::Vector;
-use meniscus::shape::{Rotation, Shape};
+use meniscus::shape::{Revolved, Rotation, Shape};
 
 use crate::read::{Choice, Fields, Node, Sign};
 use crate::units;
@@ -25,6 +25,10 @@ pub(super) fn shape<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
                 "A cylinder with flat ends; in 2D a rectangle at any angle.",
                 cylinder,
             ),
+            Choice::new("revolved", "A polygon turned about an axis.", |node| {
+                node.table(|fields| Shape::Revolved(profile(fields)))
+            })
+            .only_in(3),
             Choice::new(
                 "half_space",
                 "All on one side of a line, in 3D of a plane: to cut others with.",
@@ -101,6 +105,58 @@ pub(super) fn corners(fields: &mut Fields<'_, '_>) -> Vec<Vector<f64, 2>> {
             Vector::from_3d(node.vector(&units::LENGTH, Sign::Any))
         })
     })
+}
+
+/// A polygon beside an axis.
+pub(super) fn profile(fields: &mut Fields<'_, '_>) -> Revolved {
+    let about = "The corners in order, the last joined to the first: each by how far it is along the \
+                 axis, and its distance from the axis.";
+    let corners = fields.required("corners", about, |node| node.list(3, beside_the_axis));
+    let about = "The direction of the axis, of any length.";
+    let axis = fields.required("axis", about, |node| {
+        let axis = node.vector(&units::NUMBER, Sign::Any);
+        if axis == [0.0; 3] {
+            node.fail(
+                "this axis has no direction".into(),
+                "all components are zero",
+                "for example axis = [1, 0, 0]",
+            );
+        }
+        Vector(axis)
+    });
+    let about = "The point of the axis that its corners are counted from.";
+    let point = fields.or("point", "['0 m', '0 m', '0 m']", about, |node| {
+        Vector(node.vector(&units::LENGTH, Sign::Any))
+    });
+    Revolved {
+        corners,
+        point,
+        axis,
+    }
+}
+
+/// A point by how far it is along an axis and its distance from it.
+fn beside_the_axis(node: &mut Node<'_>) -> Vector<f64, 2> {
+    let found = node.list(2, |node| node.quantity(&units::LENGTH, Sign::Any));
+    node.schema["maxItems"] = 2.into();
+    let [along, away] = found[..] else {
+        if found.len() > 2 {
+            node.fail(
+                format!("this corner has {} coordinates", found.len()),
+                "two are needed",
+                "first how far it is along the axis, then its distance from it",
+            );
+        }
+        return Vector([f64::NAN; 2]);
+    };
+    if away < 0.0 {
+        node.fail(
+            "this corner is beyond the axis".into(),
+            "a distance below zero",
+            "give one half of the outline; the other is its mirror image",
+        );
+    }
+    Vector([along, away])
 }
 
 fn cylinder<const D: usize>(node: &mut Node<'_>) -> Shape<D> {

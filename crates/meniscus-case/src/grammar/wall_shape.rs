@@ -2,9 +2,9 @@
 
 use meniscus::Vector;
 use meniscus::physics::wall::layout::{Face, Side};
-use meniscus::shape::{Mesh, MeshError};
+use meniscus::shape::{Mesh, MeshError, Revolved};
 
-use super::shape::{centre, corners, point, radius};
+use super::shape::{centre, corners, point, profile, radius};
 use crate::read::{Choice, Echo, Fields, Node, Sign};
 use crate::units;
 
@@ -35,8 +35,15 @@ pub(crate) enum WallShape<const D: usize> {
         corners: Vec<Vector<f64, 2>>,
         side: Side,
     },
+    Revolved {
+        profile: Revolved,
+        side: Side,
+    },
     /// None where the file could not be read, which has been said.
-    Mesh { mesh: Option<Mesh>, side: Side },
+    Mesh {
+        mesh: Option<Mesh>,
+        side: Side,
+    },
 }
 
 pub(super) fn shape<const D: usize>(node: &mut Node<'_>) -> WallShape<D> {
@@ -52,6 +59,12 @@ pub(super) fn shape<const D: usize>(node: &mut Node<'_>) -> WallShape<D> {
             Choice::new("disc", "A disc, or all around it.", ball).only_in(2),
             Choice::new("sphere", "A ball, or all around it.", ball).only_in(3),
             Choice::new("polygon", "A polygon, or all around it.", polygon).only_in(2),
+            Choice::new(
+                "revolved",
+                "A polygon turned about an axis, or all around it.",
+                revolved,
+            )
+            .only_in(3),
             Choice::new("mesh", "A surface of triangles, from an STL file.", mesh).only_in(3),
         ],
     )
@@ -139,6 +152,14 @@ fn polygon<const D: usize>(node: &mut Node<'_>) -> WallShape<D> {
         let corners = corners(fields);
         let side = liquid_side(fields);
         WallShape::Polygon { corners, side }
+    })
+}
+
+fn revolved<const D: usize>(node: &mut Node<'_>) -> WallShape<D> {
+    node.table(|fields| {
+        let profile = profile(fields);
+        let side = liquid_side(fields);
+        WallShape::Revolved { profile, side }
     })
 }
 

@@ -5,6 +5,7 @@ use std::fmt;
 
 use super::geometry::Shape;
 use super::jitter::SplitMix64;
+use super::rings::{visit_discs, visit_rings};
 use super::rotation::Rotation;
 use crate::particles::Particle;
 use crate::vector::Vector;
@@ -21,6 +22,11 @@ pub enum Pattern {
     /// apart. In 2D ring k holds 6 k particles. In 3D shell k holds the whole
     /// number nearest 4 pi k^2, along a spiral that spreads them evenly.
     Concentric,
+    /// Discs one spacing apart along the axis of a cylinder or of what is revolved, otherwise along x,
+    /// the first half a spacing inside the shape. Ring k of a disc has the radius (k + 1/2) dx
+    /// and as many particles as its circumference has spacings: a tube of whole spacings is
+    /// filled up to half a spacing from its wall.
+    Stacked,
 }
 
 /// Particles `spacing` apart in a [`Pattern`].
@@ -107,14 +113,14 @@ impl<const D: usize> Arrangement<D> {
     /// Square and cubic dx^D; triangular sqrt(3)/2 dx^2; close packed
     /// dx^3/sqrt(2). Rings pi/3 dx^2, the area of the ring between the radii
     /// (k - 1/2) dx and (k + 1/2) dx shared by its 6 k particles; shells dx^3,
-    /// likewise up to 1/(12 k^2).
+    /// likewise up to 1/(12 k^2); stacked discs dx^3, up to a rounding in each ring.
     pub fn particle_volume(&self) -> f64 {
         let share = match (self.pattern, D) {
             (Pattern::Cubic, _) => 1.0,
             (Pattern::ClosePacked, 2) => 0.75_f64.sqrt(),
             (Pattern::ClosePacked, _) => 1.0 / SQRT_2,
             (Pattern::Concentric, 2) => PI / 3.0,
-            (Pattern::Concentric, _) => 1.0,
+            (Pattern::Concentric | Pattern::Stacked, _) => 1.0,
         };
         share * self.spacing.powi(D as i32)
     }
@@ -166,7 +172,10 @@ impl<const D: usize> Arrangement<D> {
         }
         let origin = self
             .origin
-            .or_else(|| shape.centre())
+            .or_else(|| match self.pattern {
+                Pattern::Stacked => shape.end_of_axis(),
+                _ => shape.centre(),
+            })
             .unwrap_or_else(|| self.fitted_origin(low, high));
         let too_many = FillError::TooMany {
             estimate: self.estimate(shape),
@@ -194,6 +203,7 @@ impl<const D: usize> Arrangement<D> {
         };
         match self.pattern {
             Pattern::Concentric => visit_rings::<D>(to[0] as i64, &mut visit),
+            Pattern::Stacked => visit_discs(shape.axis(), to[0] as i64, &mut visit),
             _ => self.visit_lattice(from, to, &mut visit),
         }
         match positions.len() {
@@ -214,7 +224,7 @@ impl<const D: usize> Arrangement<D> {
     fn fitted_origin(&self, low: Vector<f64, D>, high: Vector<f64, D>) -> Vector<f64, D> {
         // Rows that alternate between two places keep the same distance to both walls.
         let part = match (self.pattern, D) {
-            (Pattern::Concentric, _) => return (low + high) * 0.5,
+            (Pattern::Concentric | Pattern::Stacked, _) => return (low + high) * 0.5,
             (Pattern::Cubic, _) => [0.5; 3],
             (Pattern::ClosePacked, 2) => [0.25, 0.5, 0.5],
             (Pattern::ClosePacked, _) => [0.25, 1.0 / 3.0, 0.5],
@@ -250,7 +260,7 @@ impl<const D: usize> Arrangement<D> {
                 to[d] = to[d].max(r[d]);
             }
         }
-        if self.pattern == Pattern::Concentric {
+        if matches!(self.pattern, Pattern::Concentric | Pattern::Stacked) {
             return ([0.0; 3], [farthest.ceil(); 3]);
         }
         let periods = self.periods();
@@ -267,6 +277,7 @@ impl<const D: usize> Arrangement<D> {
         match (self.pattern, D) {
             (Pattern::Concentric, 2) => 3.0 * to[0] * to[0],
             (Pattern::Concentric, _) => 4.2 * to[0].powi(3),
+            (Pattern::Stacked, _) => 6.3 * to[0].powi(3),
             _ => (0..D).map(|d| to[d] - from[d] + 1.0).product(),
         }
     }
@@ -284,34 +295,6 @@ impl<const D: usize> Arrangement<D> {
                         k as f64 * periods[2],
                     ]);
                 }
-            }
-        }
-    }
-}
-
-fn visit_rings<const D: usize>(rings: i64, visit: &mut impl FnMut([f64; 3])) {
-    visit([0.0; 3]);
-    for k in 1..=rings {
-        let radius = k as f64;
-        if D == 2 {
-            for i in 0..6 * k {
-                let (sin, cos) = (PI * i as f64 / (3.0 * radius)).sin_cos();
-                visit([radius * cos, radius * sin, 0.0]);
-            }
-        } else {
-            // The spiral of equal areas: heights evenly spread, turned by the
-            // golden angle from one to the next (Swinbank and Purser 2006).
-            let golden_angle = PI * (3.0 - 5.0_f64.sqrt());
-            let count = (4.0 * PI * radius * radius).round();
-            for i in 0..count as i64 {
-                let height = 1.0 - (2.0 * i as f64 + 1.0) / count;
-                let across = (1.0 - height * height).sqrt();
-                let (sin, cos) = (golden_angle * i as f64).sin_cos();
-                visit([
-                    radius * across * cos,
-                    radius * across * sin,
-                    radius * height,
-                ]);
             }
         }
     }

@@ -6,6 +6,7 @@
 //! under 15.
 
 use super::polygon;
+use super::revolved::Revolved;
 use super::rotation::Rotation;
 use crate::vector::Vector;
 
@@ -52,6 +53,8 @@ pub enum Shape<const D: usize> {
     /// The corners in order, the last joined to the first. In 3D the endless
     /// prism over it along z.
     Polygon(Vec<Vector<f64, 2>>),
+    /// A polygon turned about an axis; in 2D the cut through it by the plane z = 0.
+    Revolved(Revolved),
     /// Everything on the far side of a plane from where its normal points.
     HalfSpace {
         /// A point of the plane.
@@ -92,6 +95,7 @@ impl<const D: usize> Shape<D> {
                 ROUNDING < along && along < 1.0 - ROUNDING && away < radius * (1.0 - ROUNDING)
             }
             Shape::Polygon(corners) => polygon::contains(corners, Vector([x[0], x[1]])),
+            Shape::Revolved(shape) => shape.contains(&Vector(x.to_3d())),
             Shape::HalfSpace { point, normal } => {
                 let r = *x - *point;
                 r.dot(normal) < -ROUNDING * r.norm() * normal.norm()
@@ -147,6 +151,10 @@ impl<const D: usize> Shape<D> {
                 };
                 (fill(low, endless.0), fill(high, endless.1))
             }
+            Shape::Revolved(shape) => {
+                let (low, high) = shape.bounding_box();
+                (Vector::from_3d(low.0), Vector::from_3d(high.0))
+            }
             Shape::HalfSpace { .. } => (Vector([f64::NEG_INFINITY; D]), Vector([f64::INFINITY; D])),
             Shape::Union(shapes) => {
                 let nothing = (Vector([f64::INFINITY; D]), Vector([f64::NEG_INFINITY; D]));
@@ -165,13 +173,46 @@ impl<const D: usize> Shape<D> {
         }
     }
 
+    /// The direction of the axis that a shape is round about, or x. A shape made of others takes its
+    /// first part's.
+    pub(super) fn axis(&self) -> Vector<f64, D> {
+        self.line().map_or_else(
+            || Vector::from_3d([1.0, 0.0, 0.0]),
+            |(_, direction)| direction,
+        )
+    }
+
+    /// Where that axis enters the shape.
+    pub(super) fn end_of_axis(&self) -> Option<Vector<f64, D>> {
+        self.line().map(|(end, _)| end)
+    }
+
+    /// The axis of a round shape: where it enters the shape, and its direction.
+    fn line(&self) -> Option<(Vector<f64, D>, Vector<f64, D>)> {
+        match self {
+            Shape::Cylinder { start, end, .. } => Some((*start, *end - *start)),
+            Shape::Revolved(shape) => {
+                let (end, direction) = (shape.end().to_3d(), shape.direction().to_3d());
+                Some((Vector::from_3d(end), Vector::from_3d(direction)))
+            }
+            Shape::Union(shapes) | Shape::Intersection(shapes) => {
+                shapes.first().and_then(Shape::line)
+            }
+            Shape::Difference(shape, _) => shape.line(),
+            _ => None,
+        }
+    }
+
     /// The centre of a shape that has one: where a lattice puts a particle.
     /// A shape made of others takes its first part's.
     pub fn centre(&self) -> Option<Vector<f64, D>> {
         match self {
             Shape::Ball { centre, .. } | Shape::Ellipsoid { centre, .. } => Some(*centre),
             Shape::Cylinder { start, end, .. } => Some((*start + *end) * 0.5),
-            Shape::Block { .. } | Shape::Polygon(_) | Shape::HalfSpace { .. } => None,
+            Shape::Block { .. }
+            | Shape::Polygon(_)
+            | Shape::Revolved(_)
+            | Shape::HalfSpace { .. } => None,
             Shape::Union(shapes) | Shape::Intersection(shapes) => {
                 shapes.first().and_then(Shape::centre)
             }
@@ -231,6 +272,19 @@ mod tests {
             end: Vector([2.0, 1.0, 2.0]),
             radius: 1.0,
         };
+        // A cone beside its axis, its foot a disc of radius 2.
+        let cone = Shape::Revolved(Revolved {
+            corners: [[0.0, 0.0], [0.0, 2.0], [3.0, 0.0]].map(Vector).to_vec(),
+            point: Vector([1.0, 0.0, -1.0]),
+            axis: Vector([1.0, 1.0, 0.5]),
+        });
+        let ring = Shape::Revolved(Revolved {
+            corners: [[0.0, 2.0], [1.0, 2.0], [1.0, 3.0], [0.0, 3.0]]
+                .map(Vector)
+                .to_vec(),
+            point: Vector::ZERO,
+            axis: Vector([0.0, 0.0, -3.0]),
+        });
         let ell = Shape::Polygon::<2>(vec![
             Vector([0.0, 0.0]),
             Vector([2.0, 0.0]),
@@ -251,6 +305,8 @@ mod tests {
         };
         near(volume(&ellipsoid, 100), 4.0 / 3.0 * PI * 6.0);
         near(volume(&cylinder, 100), PI * 3.0);
+        near(volume(&cone, 100), PI * 4.0);
+        near(volume(&ring, 100), PI * 5.0);
         near(volume(&ell, 300), 4.0);
         near(
             volume(&Shape::Union(vec![disc(0.0), disc(1.0)]), 500),

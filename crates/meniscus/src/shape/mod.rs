@@ -3,8 +3,11 @@
 //!
 //! - `geometry`: shapes, and whether a point is inside
 //! - `polygon`: the same for a polygon
+//! - `revolved`: a polygon turned about an axis
+//! - `perpendicular`: unit vectors across a direction
 //! - `rotation`: how a shape or a lattice is turned
 //! - `arrangement`: lattices and rings, and filling a shape with them
+//! - `rings`: the sites of rings, shells and stacked discs
 //! - `mesh`: surfaces of triangles; `stl`: files of them
 //! - `jitter`: small random displacements, the same for ever
 //!
@@ -24,7 +27,10 @@ mod arrangement;
 mod geometry;
 mod jitter;
 mod mesh;
+mod perpendicular;
 mod polygon;
+mod revolved;
+mod rings;
 mod rotation;
 mod stl;
 
@@ -32,6 +38,8 @@ pub use arrangement::{Arrangement, FillError, Pattern};
 pub use geometry::Shape;
 pub use mesh::{Mesh, MeshError};
 pub(crate) use mesh::{Nearest, bounds};
+pub(crate) use perpendicular::perpendiculars;
+pub use revolved::Revolved;
 pub use rotation::Rotation;
 
 #[cfg(test)]

@@ -279,3 +279,22 @@ fn a_shape_that_cannot_be_filled_says_why() {
     assert!(lattice.fill(&ball(10.0), count).is_ok());
     assert!(count as f64 <= lattice.estimate(&ball(10.0)));
 }
+
+#[test]
+fn discs_fill_a_tube_up_to_half_a_spacing_from_its_wall() {
+    let (dx, radius) = (0.05, 0.4);
+    let (start, end) = (Vector([1.0, 0.0, 0.0]), Vector([2.2, 1.6, 0.0]));
+    let tube = Shape::Cylinder { start, end, radius };
+    let positions = Arrangement::new(Pattern::Stacked, dx)
+        .fill(&tube, ROOM)
+        .unwrap();
+    // Rings of 3, 9, 16, ... 47 particles: 201 to a disc of 201.06, and 40 discs.
+    assert_eq!(positions.len(), 201 * 40);
+    assert!(smallest_distance(&positions) > 0.85 * dx);
+    let axis = (end - start) * 0.5;
+    for x in &positions {
+        let along = (*x - start).dot(&axis);
+        let away = (*x - start - axis * along).norm();
+        assert!(along > 0.49 * dx && along < 2.0 - 0.49 * dx && away < radius - 0.49 * dx);
+    }
+}

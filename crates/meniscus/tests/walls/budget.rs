@@ -43,6 +43,7 @@ pub fn shaken<const D: usize>(pressure: PressureForm) -> Setup<D> {
         .particles
         .extend(wall_particles(obstacle, 2, 1000.0, spacing));
     setup.scheme.walls[0].motion = Motion::Oscillation {
+        velocity: [0.0; 3],
         amplitude: [0.02, 0.0, 0.0],
         frequency: 3.0,
         phase: 0.3,
@@ -50,6 +51,7 @@ pub fn shaken<const D: usize>(pressure: PressureForm) -> Setup<D> {
     setup.scheme.walls.push(Wall {
         slip: Slip::FreeSlip,
         motion: Motion::Oscillation {
+            velocity: [0.0; 3],
             amplitude: [0.02, 0.0, 0.0],
             frequency: 3.0,
             phase: 0.3,

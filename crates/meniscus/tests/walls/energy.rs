@@ -34,6 +34,7 @@ where
     liquid.sound_speed = 30.0;
     let mut setup = tank::<D>(1.0, 1.5, 0.7, 0.1, scheme, liquid);
     setup.scheme.walls[0].motion = Motion::Oscillation {
+        velocity: [0.0; 3],
         amplitude: [0.05, 0.0, 0.0],
         frequency: 2.0,
         phase: 0.5,

@@ -89,6 +89,7 @@ fn a_rocked_tank_lets_no_liquid_into_its_walls() {
     let mut setup = tank::<2>(1.0, 0.8, 0.4, spacing, scheme, liquid);
     // Near the first mode of sloshing: waves of a fifth of the depth.
     let motion = Motion::Oscillation {
+        velocity: [0.0; 3],
         amplitude: [0.02, 0.0, 0.0],
         frequency: 0.8,
         phase: 0.0,

@@ -1,8 +1,10 @@
 //! Where wall particles lie.
 
+use std::f64::consts::PI;
+
 use meniscus::Vector;
 use meniscus::physics::wall::layout::{Layers, Side};
-use meniscus::shape::FillError;
+use meniscus::shape::{FillError, Revolved};
 
 /// Closest two of a set of points.
 fn closest<const D: usize>(points: &[Vector<f64, D>]) -> f64 {
@@ -91,6 +93,60 @@ fn the_first_layer_is_half_a_spacing_behind_any_surface_and_none_is_crowded() {
         .unwrap();
     assert_eq!(floor.len(), 4 * 100);
     first(floor.iter().map(|x| -x[2]).collect());
+}
+
+#[test]
+fn what_is_revolved_has_the_volume_of_its_profile_and_lies_behind_it() {
+    let layers = Layers::new(0.1, 0.4, 100_000);
+    let (point, axis) = (Vector([1.0, 2.0, 3.0]), Vector([1.0, -2.0, 2.0]));
+    let of = |corners: &[[f64; 2]], side| {
+        let corners = corners.iter().map(|corner| Vector(*corner)).collect();
+        let shape = Revolved {
+            corners,
+            point,
+            axis,
+        };
+        let wall = layers.revolved(&shape, side).unwrap();
+        let place = |x: &Vector<f64, 3>| {
+            let arm = *x - point;
+            let along = arm.dot(&axis) / 3.0;
+            (along, (arm - axis * (along / 3.0)).norm())
+        };
+        // Where the rings of a disc's face and of its edge meet they are two thirds of a spacing apart.
+        assert!(closest(&wall) > 0.06, "{}", closest(&wall));
+        wall.iter().map(place).collect::<Vec<_>>()
+    };
+    // Whole numbers of particles in each ring: some per cent of the volume of small ones.
+    let near = |wall: &[(f64, f64)], volume: f64| {
+        let found = wall.len() as f64 * 1e-3;
+        assert!((found / volume - 1.0).abs() < 0.02, "{found} for {volume}");
+    };
+    let tube = of(
+        &[[0.0, 0.8], [2.0, 0.8], [2.0, 1.2], [0.0, 1.2]],
+        Side::Inside,
+    );
+    near(&tube, PI * (1.44 - 0.64) * 2.0);
+    let inner = tube.iter().map(|at| at.1).fold(f64::INFINITY, f64::min);
+    assert!((inner - 0.85).abs() < 1e-9, "{inner}");
+    // A disc has no surface on its axis, and no hole.
+    let disc = of(
+        &[[0.0, 0.0], [0.0, 0.8], [0.4, 0.8], [0.4, 0.0]],
+        Side::Inside,
+    );
+    near(&disc, PI * 0.64 * 0.4);
+    assert!(disc.iter().any(|at| at.1 < 0.06) && disc.iter().all(|at| at.1 < 0.76));
+    assert!(disc.iter().all(|at| at.0 > 0.04 && at.0 < 0.36));
+    // A round box with lids, from inside: 0.4 of wall all around.
+    let vessel = of(
+        &[[0.0, 0.0], [0.0, 0.8], [2.0, 0.8], [2.0, 0.0]],
+        Side::Outside,
+    );
+    near(&vessel, PI * (1.44 * 2.8 - 0.64 * 2.0));
+    assert!(
+        vessel
+            .iter()
+            .all(|at| at.0 < 0.0 || at.0 > 2.0 || at.1 > 0.8)
+    );
 }
 
 #[test]

@@ -15,6 +15,7 @@ fn compressed(spacing: f64) -> [f64; 4] {
     let mut piston = Wall::new(2);
     // Down by a hundredth in half a period, from rest to rest, slowly against sound.
     piston.motion = Motion::Oscillation {
+        velocity: [0.0; 3],
         amplitude: [0.0, -0.005, 0.0],
         frequency: 0.25,
         phase: -std::f64::consts::FRAC_PI_2,

@@ -4,10 +4,11 @@
 //! Along the surface they are a spacing apart, up to what makes a whole number of them fit.
 
 mod mesh;
+mod revolved;
 
 use std::f64::consts::{PI, TAU};
 
-use crate::shape::FillError;
+use crate::shape::{FillError, perpendiculars};
 use crate::vector::Vector;
 
 /// The distance between particles, and how many layers a wall has.
@@ -152,7 +153,7 @@ impl Layers {
         let across = (width / self.spacing).round().max(1.0).powi(D as i32 - 1);
         self.allow(across * self.count as f64)?;
         let normal = normal * (1.0 / length);
-        let tangents = tangents(&normal);
+        let tangents = perpendiculars(&normal);
         let mut positions = Vec::new();
         for depth in self.depths() {
             let base = point - normal * depth;
@@ -280,28 +281,6 @@ fn some<const D: usize>(positions: Vec<Vector<f64, D>>) -> Result<Vec<Vector<f64
     } else {
         Ok(positions)
     }
-}
-
-/// Unit vectors along a plane; the second counts in 3D alone.
-fn tangents<const D: usize>(normal: &Vector<f64, D>) -> [Vector<f64, D>; 2] {
-    let n = normal.to_3d();
-    if D == 2 {
-        return [Vector::from_3d([-n[1], n[0], 0.0]), Vector::ZERO];
-    }
-    // From the axis that is farthest from the normal, so that planes along axes stay so.
-    let mut axis = [0.0; 3];
-    let least = (0..3).min_by(|&a, &b| n[a].abs().total_cmp(&n[b].abs()));
-    axis[least.unwrap_or(0)] = 1.0;
-    let along = axis[0] * n[0] + axis[1] * n[1] + axis[2] * n[2];
-    let first: [f64; 3] = std::array::from_fn(|d| axis[d] - along * n[d]);
-    let length = Vector(first).norm();
-    let first = first.map(|x| x / length);
-    let second = [
-        n[1] * first[2] - n[2] * first[1],
-        n[2] * first[0] - n[0] * first[2],
-        n[0] * first[1] - n[1] * first[0],
-    ];
-    [Vector::from_3d(first), Vector::from_3d(second)]
 }
 
 /// Evenly spread unit vectors, a spacing apart on a circle or sphere of a radius in spacings.

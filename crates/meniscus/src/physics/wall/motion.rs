@@ -16,8 +16,11 @@ pub enum Motion {
         /// m/s
         velocity: [f64; 3],
     },
-    /// To and fro: x = x_0 + amplitude (sin(2 pi frequency t + phase) - sin(phase)).
+    /// To and fro about a place that may move on:
+    /// x = x_0 + velocity t + amplitude (sin(2 pi frequency t + phase) - sin(phase)).
     Oscillation {
+        /// Mean velocity, m/s.
+        velocity: [f64; 3],
         /// Amplitude, m.
         amplitude: [f64; 3],
         /// Frequency, Hz.
@@ -71,15 +74,16 @@ impl Motion {
                 moved.position += moved.velocity * time;
             }
             Motion::Oscillation {
+                velocity,
                 amplitude,
                 frequency,
                 phase,
             } => {
-                let amplitude = Vector::from_3d(amplitude);
+                let (mean, amplitude) = (Vector::from_3d(velocity), Vector::from_3d(amplitude));
                 let omega = TAU * frequency;
                 let (sin, cos) = (omega * time + phase).sin_cos();
-                moved.position += amplitude * (sin - phase.sin());
-                moved.velocity = amplitude * (omega * cos);
+                moved.position += mean * time + amplitude * (sin - phase.sin());
+                moved.velocity = mean + amplitude * (omega * cos);
                 moved.acceleration = amplitude * (-omega * omega * sin);
             }
             Motion::Rotation {
@@ -123,14 +127,50 @@ impl Motion {
             Motion::Rest => true,
             Motion::Translation { velocity } => finite(velocity),
             Motion::Oscillation {
+                velocity,
                 amplitude,
                 frequency,
                 phase,
-            } => finite(amplitude) && finite(&[*frequency, *phase]),
+            } => finite(velocity) && finite(amplitude) && finite(&[*frequency, *phase]),
             Motion::Rotation {
                 centre,
                 angular_velocity,
             } => finite(centre) && finite(angular_velocity),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Motion;
+    use crate::vector::Vector;
+
+    #[test]
+    fn velocity_and_acceleration_are_what_the_place_says() {
+        let turning = Motion::Rotation {
+            centre: [0.1, 0.2, 0.3],
+            angular_velocity: [1.0, -2.0, 0.5],
+        };
+        let swinging_on = Motion::Oscillation {
+            velocity: [0.5, 0.0, -1.0],
+            amplitude: [0.1, 0.2, 0.0],
+            frequency: 0.7,
+            phase: 0.4,
+        };
+        let start = Vector([1.0, 2.0, -1.0]);
+        for motion in [turning, swinging_on] {
+            assert_eq!(motion.at(start, 0.0).position, start);
+            for time in [0.3, 1.7] {
+                // A central difference errs by its step squared, 1e-8, and by rounding.
+                let step = 1e-4;
+                let (before, after) =
+                    (motion.at(start, time - step), motion.at(start, time + step));
+                let now = motion.at(start, time);
+                let velocity = (after.position - before.position) * (0.5 / step);
+                let acceleration = (after.velocity - before.velocity) * (0.5 / step);
+                assert!((velocity - now.velocity).norm() < 1e-6);
+                assert!((acceleration - now.acceleration).norm() < 1e-6);
+            }
         }
     }
 }
