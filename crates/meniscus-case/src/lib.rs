@@ -57,7 +57,7 @@ pub use case::{Body, Case};
 pub use coefficients::{Coefficients, Given};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use grammar::{
-    Arc, Base, ContactAngle, Crown, Deformation, Hydrostatics, Measure, Oscillation, Output,
+    Arc, Base, ContactAngle, Crown, Deformation, Hydrostatics, Jet, Measure, Oscillation, Output,
     Sensor, StaticPressure, TankSurface, Waist, Window,
 };
 pub use memory::BYTES_PER_PARTICLE;

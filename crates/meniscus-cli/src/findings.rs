@@ -6,6 +6,7 @@ mod contact_angle;
 mod crown;
 mod extremes;
 mod hydrostatics;
+mod jet;
 mod merging;
 mod oscillation;
 mod roundness;
@@ -59,6 +60,7 @@ pub fn measure(case: &Case, series: &Series) -> Findings {
     merging::mixing(case, series, &mut findings);
     merging::drops(case, series, &mut findings);
     spreading::measure(case, series, &mut findings);
+    jet::measure(case, series, &mut findings);
     curvature(case, series, &mut findings);
     at_rest::measure(case, series, &mut findings);
     roundness::measure(case, series, &mut findings);

@@ -5,6 +5,7 @@ pub mod asked;
 pub mod budget;
 mod frame;
 pub mod hydrostatics;
+pub mod jet;
 mod pieces;
 pub mod van_der_waals;
 
@@ -148,6 +149,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
         columns.extend(asked::columns(self.case));
         columns.extend(hydrostatics::columns(self.case));
         columns.extend(pieces::columns(self.case));
+        columns.extend(jet::columns(self.case));
         columns
     }
 
@@ -268,6 +270,7 @@ impl<'a, const D: usize> Sampler<'a, D> {
         row.extend(asked::row(self.case, p));
         row.extend(hydrostatics::row(self.case, simulation));
         row.extend(pieces::row(self.case, p));
+        row.extend(jet::row(self.case, p));
         row
     }
 

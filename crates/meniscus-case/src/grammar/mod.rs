@@ -26,8 +26,8 @@ pub(crate) use body::{DraftBody, Geometry};
 pub use deformation::Deformation;
 pub(crate) use document::{Draft, document};
 pub use measure::{
-    Arc, Base, ContactAngle, Crown, Hydrostatics, Measure, Oscillation, Sensor, StaticPressure,
-    TankSurface, Waist, Window,
+    Arc, Base, ContactAngle, Crown, Hydrostatics, Jet, Measure, Oscillation, Sensor,
+    StaticPressure, TankSurface, Waist, Window,
 };
 pub use output::Output;
 pub(crate) use van_der_waals::DraftVanDerWaals;

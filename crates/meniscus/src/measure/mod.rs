@@ -11,7 +11,8 @@
 //! - how round a body is, by direction: [`Outline`]
 //! - a splash: [`Crown`]; a drop on a wall ([`Base`]): [`DropOnWall`]; the surface in a tank: [`TankSurface`]
 //! - which particles lie at a free surface: [`surface_particles`]
-//! - drops that merge, break or spread: [`waist`], [`fragments`], [`Bag`], [`contacts`], [`width_across`]
+//! - drops that merge, break or spread: [`waist`], [`fragments`], [`Bag`], [`contacts`], [`width_across`]; a jet and its
+//!   drops: [`Jet`]
 //! - virtual pressure sensors: [`Sensor`]
 //! - pressure against depth: [`PressureProfile`]
 //! - pressure against radius, and what surface tension it shows: [`radial_profile`],
@@ -35,6 +36,7 @@ mod film_stress;
 mod fit_error;
 mod foot;
 mod fragments;
+mod jet;
 mod meniscus;
 mod oscillation;
 mod outline;
@@ -62,6 +64,7 @@ pub use estimate::Estimate;
 pub use film_stress::FilmStress;
 pub use fit_error::FitError;
 pub use fragments::{contacts, fragments};
+pub use jet::{FreeDrop, Jet};
 pub use meniscus::{Meniscus, TankSurface, surface_profile};
 pub use oscillation::OscillationSurfaceTension;
 pub use outline::Outline;

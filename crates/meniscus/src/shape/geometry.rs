@@ -273,12 +273,12 @@ mod tests {
             radius: 1.0,
         };
         // A cone beside its axis, its foot a disc of radius 2.
-        let cone = Shape::Revolved(Revolved {
+        let cone = Shape::<3>::Revolved(Revolved {
             corners: [[0.0, 0.0], [0.0, 2.0], [3.0, 0.0]].map(Vector).to_vec(),
             point: Vector([1.0, 0.0, -1.0]),
             axis: Vector([1.0, 1.0, 0.5]),
         });
-        let ring = Shape::Revolved(Revolved {
+        let ring = Shape::<3>::Revolved(Revolved {
             corners: [[0.0, 2.0], [1.0, 2.0], [1.0, 3.0], [0.0, 3.0]]
                 .map(Vector)
                 .to_vec(),

@@ -68,8 +68,18 @@ impl Revolved {
         else {
             return corners.clone();
         };
-        let half = &half[first.saturating_sub(1)..(last + 2).min(n)];
-        let mirrored = (half[1..half.len() - 1].iter().rev()).map(|c| Vector([c[0], -c[1]]));
-        half.iter().copied().chain(mirrored).collect()
+        // A face across the axis goes on straight to its mirror image, with no corner between.
+        let (head, tail) = (half[first.saturating_sub(1)], half[(last + 1).min(n - 1)]);
+        let side = &half[first..=last];
+        let mut outline = Vec::with_capacity(2 * n);
+        if head[0] != side[0][0] {
+            outline.push(head);
+        }
+        outline.extend_from_slice(side);
+        if tail[0] != side[side.len() - 1][0] {
+            outline.push(tail);
+        }
+        outline.extend((side.iter().rev()).map(|corner| Vector([corner[0], -corner[1]])));
+        outline
     }
 }

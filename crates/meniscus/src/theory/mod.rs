@@ -13,6 +13,7 @@ mod cap_on_ball;
 mod capillary;
 mod dimensionless;
 mod ellipsoid;
+mod jet;
 mod laplace;
 mod meniscus;
 mod oscillation;
@@ -32,6 +33,7 @@ pub use dimensionless::{
     bond_number, capillary_number, laplace_number, ohnesorge_number, reynolds_number, weber_number,
 };
 pub use ellipsoid::{ellipse_perimeter, ellipsoid_area, equivalent_radius};
+pub use jet::{jet_breakup_length, jet_drop_speed};
 pub use laplace::{pressure_jump, surface_tension_from_pressure};
 pub use meniscus::{PlateMeniscus, jurin_rise, meniscus_height, meniscus_rise, puddle_height};
 pub use oscillation::{angular_frequency, surface_tension_from_frequency};

@@ -37,6 +37,8 @@ pub struct Measure {
     pub spreading: Option<[f64; 3]>,
     /// Whether drops are counted: pieces of all liquid.
     pub drops: bool,
+    /// A jet from a nozzle, and its drops.
+    pub jet: Option<Jet>,
     /// Whether the pairs of particles across the surface of the first body are counted.
     pub mixing: bool,
     /// Pressure sensors.
@@ -170,6 +172,21 @@ pub struct Waist {
     pub reaches: Option<f64>,
     /// The time at which the radius is wanted, s.
     pub time: Option<f64>,
+}
+
+/// A jet whose speed is modulated where it leaves its nozzle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Jet {
+    /// A point of the plane in which the nozzle ends, m; in 2D the third component is zero.
+    pub at: [f64; 3],
+    /// The way it goes, a vector of any length.
+    pub direction: [f64; 3],
+    /// Radius of the nozzle, m.
+    pub radius: f64,
+    /// Frequency of the modulation, Hz.
+    pub frequency: f64,
+    /// When it is measured.
+    pub window: Window,
 }
 
 /// A place where something is read.

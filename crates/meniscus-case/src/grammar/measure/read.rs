@@ -2,7 +2,7 @@
 
 use super::wetting::{contact_angle, meniscus};
 use super::{
-    Arc, Crown, Hydrostatics, Measure, Oscillation, Sensor, StaticPressure, Waist, Window,
+    Arc, Crown, Hydrostatics, Jet, Measure, Oscillation, Sensor, StaticPressure, Waist, Window,
 };
 use crate::read::{Fields, Node, Sign};
 use crate::units;
@@ -114,6 +114,11 @@ pub(in crate::grammar) fn measure(node: &mut Node<'_>, end_time: f64, bodies: &[
                 |node| node.table(|_| ()),
             )
             .is_some(),
+        jet: fields.optional(
+            "jet",
+            "A jet from a nozzle: where it breaks, and its drops.",
+            |node| node.table(|fields| jet(fields, end_time)),
+        ),
         mixing: fields
             .optional(
                 "mixing",
@@ -169,6 +174,22 @@ fn waist(fields: &mut Fields<'_, '_>) -> Waist {
         time: fields.optional("time", "A time; the radius then is told.", |node| {
             node.quantity(&units::TIME, Sign::NotNegative)
         }),
+    }
+}
+
+fn jet(fields: &mut Fields<'_, '_>, end_time: f64) -> Jet {
+    Jet {
+        at: fields.required("at", "The middle of the nozzle's end.", |node| {
+            node.vector(&units::LENGTH, Sign::Any)
+        }),
+        direction: fields.required("direction", "The way the jet goes.", direction),
+        radius: fields.required("radius", "Radius of the nozzle.", |node| {
+            node.quantity(&units::LENGTH, Sign::Positive)
+        }),
+        frequency: fields.required("frequency", "Of the modulation of its speed.", |node| {
+            node.quantity(&units::RATE, Sign::Positive)
+        }),
+        window: window(fields, end_time, 0.5),
     }
 }
 
