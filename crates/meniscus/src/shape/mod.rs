@@ -3,6 +3,7 @@
 //!
 //! - `geometry`: shapes, and whether a point is inside
 //! - `polygon`: the same for a polygon
+//! - `axis`: the axis of round shapes
 //! - `revolved`: a polygon turned about an axis
 //! - `perpendicular`: unit vectors across a direction
 //! - `rotation`: how a shape or a lattice is turned
@@ -24,6 +25,7 @@
 //! ```
 
 mod arrangement;
+mod axis;
 mod geometry;
 mod jitter;
 mod mesh;
