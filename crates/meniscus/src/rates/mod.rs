@@ -100,7 +100,8 @@ impl<const D: usize> Rates<D> {
         if let Some(SurfaceTension::CapillaryPressure(_)) = scheme.surface_tension
             && fluids[0].surface_tension > 0.0
         {
-            let (kernel, smoothing_length) = Closeness::range(spacing, !scheme.walls.is_empty());
+            let walled = !scheme.walls.is_empty();
+            let (kernel, smoothing_length) = Closeness::range(D, spacing, walled);
             pairs.set_second(kernel, smoothing_length);
         }
         let pull = match scheme.surface_tension {

@@ -241,7 +241,7 @@ impl<const D: usize> Rates<D> {
         if self.walls.is_empty() || surface_tension == 0.0 {
             return;
         }
-        let order = Order::new(surface_tension, density, self.spacing);
+        let order = Order::new::<D>(surface_tension, density, self.spacing);
         let surface = &self.surface;
         if let Some(near) = self.pairs.second() {
             let minds = |rows| Order::minds(surface, rows);

@@ -35,9 +35,13 @@ impl Closeness {
 
     /// The kernel and smoothing length whose lists hold the pairs that push, and beside walls those that
     /// [`Order`](super::Order) asks for.
-    pub fn range(spacing: f64, walled: bool) -> (Kernel, f64) {
+    pub fn range(dimension: usize, spacing: f64, walled: bool) -> (Kernel, f64) {
         let kernel = Kernel::WendlandC2;
-        let reach = if walled { order::REACH } else { REST };
+        let reach = if walled {
+            order::reach(dimension)
+        } else {
+            REST
+        };
         (kernel, reach * spacing / kernel.support())
     }
 }

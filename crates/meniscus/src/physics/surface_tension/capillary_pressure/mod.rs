@@ -58,7 +58,7 @@ pub(super) struct Scratch<const D: usize> {
     points: Vec<Vector<f64, D>>,
     felt: Vec<(f64, Vector<f64, D>)>,
     /// Of all rows.
-    places: Vec<Place>,
+    places: Vec<Place<D>>,
 }
 
 impl CapillaryPressure {
@@ -130,9 +130,9 @@ impl<const D: usize> Scratch<D> {
             if (surroundings.wall)(i).is_some() {
                 continue;
             }
-            if let Some([filled, smooth]) = self.nodes.filled() {
-                let [smooth, filled] = [smooth, filled].map(|field| mesh.feel_at(field, x).0);
-                self.places[i] = Place::beside_walls(smooth, filled);
+            if let Some(fields) = self.nodes.filled() {
+                let [(filled, _), smooth] = fields.map(|field| mesh.feel_at(field, x));
+                self.places[i] = Place::beside_walls(filled, smooth);
             }
             let mut force = *gradient * (-sigma / spacing);
             let colour = &self.nodes.colour;
