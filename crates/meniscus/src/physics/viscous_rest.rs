@@ -32,7 +32,6 @@ pub struct ViscousRest<'a, const D: usize> {
 impl<const D: usize> PairTerm<D> for ViscousRest<'_, D> {
     type Record<R: Real> = Rest<R, D>;
     type Sum<R: Real> = Vector<R, D>;
-    const OFTEN: bool = false;
 
     fn record(&self, _: &Particles<D>, i: usize) -> Rest<f64, D> {
         self.rest[i]

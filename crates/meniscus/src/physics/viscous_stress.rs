@@ -18,6 +18,10 @@
 //!
 //! nothing for a linear motion, and of the order of its third derivatives for a smooth one.
 
+use std::ops::Range;
+
+use rayon::prelude::*;
+
 use super::stress_divergence::{StressDivergence, Weight};
 use super::surface_tension::curvature::CorrectableDivergence;
 use super::surface_tension::gradient::LEAST_MATRIX;
@@ -25,7 +29,7 @@ use super::surface_tension::matrix::Matrix;
 use super::velocity_gradient::VelocityGradient;
 use super::viscous_rest::{Rest, ViscousRest};
 use crate::fluid::Fluid;
-use crate::particles::Particles;
+use crate::particles::{Particles, ROWS_PER_TASK};
 use crate::term::Sweep;
 use crate::vector::Vector;
 
@@ -39,51 +43,52 @@ pub struct ViscousStress<const D: usize> {
 }
 
 impl<const D: usize> ViscousStress<D> {
-    /// Adds the viscous acceleration, m/s^2; `with_rest`, that of what the gradient leaves, too.
+    /// Adds the viscous acceleration, m/s^2, to the rows that are `active`, which feel no others; `with_rest`, that of what the
+    /// gradient leaves, too.
     pub fn accelerate(
         &mut self,
         sweep: &mut impl Sweep<D>,
         particles: &Particles<D>,
+        active: impl Fn(Range<usize>) -> bool + Sync,
         fluids: &[Fluid],
         with_rest: bool,
         acceleration: &mut [Vector<f64, D>],
     ) {
-        sweep.sweep(&VelocityGradient, particles, |_| true, &mut self.gradients);
-        self.stress.clear();
-        self.stress.extend(
-            self.gradients
-                .iter()
-                .zip(&particles.fluid)
-                .map(|(sum, &fluid)| {
-                    let viscosity = fluids[fluid as usize].viscosity;
-                    let inverse = sum.matrix.inverse(LEAST_MATRIX);
-                    let gradient = sum.gradient();
-                    Matrix(std::array::from_fn(|d| {
-                        let row = Vector(std::array::from_fn(|e| {
-                            viscosity * (gradient.0[d][e] + gradient.0[e][d])
-                        }));
-                        inverse.times(&row)
-                    }))
-                }),
-        );
+        sweep.sweep(&VelocityGradient, particles, &active, &mut self.gradients);
+        (self.gradients.par_iter(), &particles.fluid)
+            .into_par_iter()
+            .with_min_len(ROWS_PER_TASK)
+            .map(|(sum, &fluid)| {
+                let viscosity = fluids[fluid as usize].viscosity;
+                let inverse = sum.matrix.inverse(LEAST_MATRIX);
+                let gradient = sum.gradient();
+                Matrix(std::array::from_fn(|d| {
+                    let row = Vector(std::array::from_fn(|e| {
+                        viscosity * (gradient.0[d][e] + gradient.0[e][d])
+                    }));
+                    inverse.times(&row)
+                }))
+            })
+            .collect_into_vec(&mut self.stress);
         let stress = &self.stress;
         let term = StressDivergence {
             stress,
             weight: Weight::Volume,
         };
-        sweep.sweep(&term, particles, |_| true, &mut self.force);
+        sweep.sweep(&term, particles, &active, &mut self.force);
         add(&self.force, particles, acceleration);
         if with_rest {
-            self.rest.clear();
-            self.rest
-                .extend(self.gradients.iter().enumerate().map(|(i, sum)| Rest {
+            (self.gradients.par_iter().enumerate())
+                .with_min_len(ROWS_PER_TASK)
+                .map(|(i, sum)| Rest {
                     volume: particles.volume(i),
                     viscosity: fluids[particles.fluid[i] as usize].viscosity,
                     velocity: particles.velocity[i],
                     gradient: sum.gradient(),
-                }));
+                })
+                .collect_into_vec(&mut self.rest);
             let term = ViscousRest { rest: &self.rest };
-            sweep.sweep(&term, particles, |_| true, &mut self.force);
+            sweep.sweep(&term, particles, &active, &mut self.force);
             add(&self.force, particles, acceleration);
         }
     }

@@ -182,9 +182,11 @@ impl<const D: usize> Rates<D> {
         if stress && self.van_der_waals.is_none() && is_viscous(&self.fluids) {
             self.walls
                 .hide(particles, |wall| wall.slip == Slip::FreeSlip);
+            let walls = &self.walls;
             self.viscous_stress.accelerate(
                 &mut self.pairs,
                 particles,
+                |rows| walls.is_wet(particles, rows),
                 &self.fluids,
                 self.scheme.viscosity == ViscosityForm::StressAndRest,
                 &mut acceleration,

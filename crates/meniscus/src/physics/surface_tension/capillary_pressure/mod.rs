@@ -28,6 +28,8 @@ pub use closeness::Closeness;
 pub use load::Load;
 pub use order::Order;
 
+use rayon::prelude::*;
+
 use super::bodies::balance;
 use super::mesh::{Layered, Surroundings};
 use super::surface::Surface;
@@ -47,6 +49,9 @@ const STANDING_OUT: f64 = 0.4;
 /// Colour above which a node is inside, and nothing is looked for around it.
 const INSIDE: f64 = 0.95;
 
+/// Particles that one task works on at least.
+const PARTICLES_PER_TASK: usize = 256;
+
 /// Columns that the model needs on its way.
 #[derive(Debug, Default)]
 pub(super) struct Scratch<const D: usize> {
@@ -55,10 +60,21 @@ pub(super) struct Scratch<const D: usize> {
     walls: Layered<D>,
     nodes: Nodes<D>,
     held: Vec<u32>,
-    points: Vec<Vector<f64, D>>,
-    felt: Vec<(f64, Vector<f64, D>)>,
+    felt: Vec<Felt<D>>,
     /// Of all rows.
     places: Vec<Place<D>>,
+}
+
+/// What a particle feels of the fields on the mesh.
+#[derive(Clone, Copy, Debug, Default)]
+struct Felt<const D: usize> {
+    /// kappa, 1/m
+    curvature: f64,
+    /// Per volume, N/m^3; none on walls.
+    force: Vector<f64, D>,
+    place: Place<D>,
+    /// Colour and its gradient, 1/m, near the surface.
+    at_surface: Option<(f64, Vector<f64, D>)>,
 }
 
 impl CapillaryPressure {
@@ -114,37 +130,46 @@ impl<const D: usize> Scratch<D> {
         self.held.clear();
         let holds = |row: &&u32| mesh.holds(&particles.position[**row as usize]);
         self.held.extend(rows.iter().filter(holds));
-        self.points.clear();
-        (self.points).extend(
-            self.held
-                .iter()
-                .map(|&row| particles.position[row as usize]),
-        );
-        mesh.feel(&self.nodes.curvature, &self.points, &mut self.felt);
         let (sigma, spacing) = (surroundings.surface_tension, surroundings.spacing);
-        for ((&row, x), (curvature, gradient)) in
-            (self.held.iter().zip(&self.points)).zip(&self.felt)
-        {
-            let i = row as usize;
-            surface.curvature[i] = curvature / spacing;
+        let nodes = &self.nodes;
+        let feel = |row: &u32| {
+            let i = *row as usize;
+            let x = &particles.position[i];
+            let (curvature, gradient) = mesh.feel_at(&nodes.curvature, x);
+            let mut felt = Felt {
+                curvature: curvature / spacing,
+                ..Felt::default()
+            };
             if (surroundings.wall)(i).is_some() {
-                continue;
+                return felt;
             }
-            if let Some(fields) = self.nodes.filled() {
+            if let Some(fields) = nodes.filled() {
                 let [(filled, _), smooth] = fields.map(|field| mesh.feel_at(field, x));
-                self.places[i] = Place::beside_walls(filled, smooth);
+                felt.place = Place::beside_walls(filled, smooth);
             }
-            let mut force = *gradient * (-sigma / spacing);
-            let colour = &self.nodes.colour;
-            if colour[mesh.nearest(x)] < INSIDE {
-                let (colour, inward) = mesh.feel_at(colour, x);
+            felt.force = gradient * (-sigma / spacing);
+            if nodes.colour[mesh.nearest(x)] < INSIDE {
+                let (colour, inward) = mesh.feel_at(&nodes.colour, x);
+                felt.at_surface = Some((colour, inward));
+                let out = (STANDING_OUT - colour).max(0.0) / (STANDING_OUT * STANDING_OUT);
+                felt.force += inward * (out * sigma / spacing);
+            }
+            felt
+        };
+        (self.held.par_iter())
+            .with_min_len(PARTICLES_PER_TASK)
+            .map(feel)
+            .collect_into_vec(&mut self.felt);
+        for (&row, felt) in self.held.iter().zip(&self.felt) {
+            let i = row as usize;
+            surface.curvature[i] = felt.curvature;
+            surface.force[i] = felt.force;
+            self.places[i] = felt.place;
+            if let Some((colour, inward)) = felt.at_surface {
                 surface.active += 1;
                 surface.colour[i] = colour;
                 surface.normal[i] = inward;
-                let out = (STANDING_OUT - colour).max(0.0) / (STANDING_OUT * STANDING_OUT);
-                force += inward * (out * sigma / spacing);
             }
-            surface.force[i] = force;
         }
     }
 }

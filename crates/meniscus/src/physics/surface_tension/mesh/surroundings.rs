@@ -18,7 +18,7 @@ pub struct Surroundings<'a, const D: usize> {
     /// Those that no wall holds.
     pub free: Bodies<'a, D>,
     /// cos(theta) of the wall that a row belongs to; none for the liquid.
-    pub wall: &'a dyn Fn(usize) -> Option<f64>,
+    pub wall: &'a (dyn Fn(usize) -> Option<f64> + Sync),
 }
 
 impl<const D: usize> Surroundings<'_, D> {
