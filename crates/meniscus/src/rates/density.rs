@@ -126,6 +126,7 @@ impl<const D: usize> Rates<D> {
             .for_each(|(position, velocity)| *position += *velocity * dt);
     }
 
+    /// Pressure by density.
     pub(crate) fn update_pressure(&self, particles: &mut Particles<D>) {
         (
             particles.pressure.par_iter_mut(),

@@ -154,6 +154,10 @@ impl<const D: usize> Rates<D> {
         let body_force = self.body_force(time);
         self.walls.place(&self.pairs, particles, time);
         let sigma = self.find_capillary_pressure(particles);
+        if sigma.is_some() {
+            // Forces of pairs see p - q, which is what density gives.
+            self.update_pressure(particles);
+        }
         let capillary = sigma.map(|sigma| (sigma, &self.surface.curvature[..]));
         self.walls.prepare(
             &mut self.pairs,
@@ -163,9 +167,6 @@ impl<const D: usize> Rates<D> {
             time,
             capillary,
         );
-        if let Some(sigma) = sigma {
-            self.take_capillary_pressure(sigma, particles);
-        }
         self.press_walls(particles);
         let mut acceleration = std::mem::take(&mut particles.acceleration);
         if let Some(fluid) = &mut self.van_der_waals {
@@ -175,7 +176,7 @@ impl<const D: usize> Rates<D> {
         }
         self.push_by_grad_h(particles, &mut acceleration);
         if let Some(sigma) = sigma {
-            self.give_capillary_pressure_back(sigma, particles, &mut acceleration);
+            self.add_capillary_pressure(sigma, particles, &mut acceleration);
         }
         self.walls.bear(particles, &mut acceleration);
         let stress = self.scheme.viscosity.is_stress();

@@ -8,7 +8,9 @@ use crate::particles::Particles;
 use crate::physics::surface_tension::SurfaceTension;
 use crate::physics::surface_tension::balanced;
 use crate::physics::surface_tension::bodies::Bodies;
-use crate::physics::surface_tension::capillary_pressure::{self, Closeness, Load, Order};
+use crate::physics::surface_tension::capillary_pressure::{
+    self, CapillaryPressure, Closeness, Load, Order,
+};
 use crate::physics::surface_tension::continuum::{FlatLayer, Relist, Surroundings};
 use crate::physics::surface_tension::mesh;
 use crate::physics::surface_tension::surface::Surface;
@@ -137,7 +139,12 @@ impl<const D: usize> Rates<D> {
             Some(SurfaceTension::CapillaryPressure(_)) => {
                 self.surface.add_to(&particles.density, acceleration);
                 let fluid = &self.fluids[0];
-                let closeness = Closeness::new(fluid.surface_tension, fluid.density, self.spacing);
+                let closeness = Closeness::new(
+                    fluid.surface_tension,
+                    fluid.density,
+                    self.spacing,
+                    self.walls.bodies(),
+                );
                 if let Some(near) = self.pairs.second() {
                     near.sweep(&closeness, particles, |_| true, &mut self.vectors);
                     for (a, push) in acceleration.iter_mut().zip(&self.vectors) {
@@ -175,32 +182,27 @@ impl<const D: usize> Rates<D> {
         act(&surroundings, &mut self.surface);
     }
 
-    /// Finds kappa of capillary pressure, where the model does, into the surface's curvature. Returns sigma, N/m.
-    pub(super) fn find_capillary_pressure(&mut self, particles: &Particles<D>) -> Option<f64> {
-        let Some(SurfaceTension::CapillaryPressure(model)) = self.scheme.surface_tension else {
+    /// Surface tension, N/m, where it is a capillary pressure.
+    pub(super) fn capillary_tension(&self) -> Option<f64> {
+        let Some(SurfaceTension::CapillaryPressure(_)) = self.scheme.surface_tension else {
             return None;
         };
-        let sigma = self.fluids[0].surface_tension;
-        if sigma == 0.0 {
-            return None;
-        }
+        Some(self.fluids[0].surface_tension).filter(|&sigma| sigma != 0.0)
+    }
+
+    /// Finds kappa of capillary pressure, where the model does, into the surface's curvature. Returns sigma, N/m.
+    pub(super) fn find_capillary_pressure(&mut self, particles: &Particles<D>) -> Option<f64> {
+        let sigma = self.capillary_tension()?;
         self.on_mesh(
             particles,
             capillary_pressure::REACH,
-            |surroundings, surface| model.find(particles, surroundings, surface),
+            |surroundings, surface| CapillaryPressure.find(particles, surroundings, surface),
         );
         Some(sigma)
     }
 
-    /// Takes capillary pressure off the pressure.
-    pub(super) fn take_capillary_pressure(&self, sigma: f64, particles: &mut Particles<D>) {
-        for (pressure, curvature) in particles.pressure.iter_mut().zip(&self.surface.curvature) {
-            *pressure -= sigma * curvature;
-        }
-    }
-
-    /// Gives capillary pressure back, and adds what walls bear of it to their accelerations, m/s^2.
-    pub(super) fn give_capillary_pressure_back(
+    /// Adds capillary pressure to what density gives, p - q, and what walls bear of it to their accelerations, m/s^2.
+    pub(super) fn add_capillary_pressure(
         &mut self,
         sigma: f64,
         particles: &mut Particles<D>,
@@ -247,7 +249,6 @@ impl<const D: usize> Rates<D> {
             let minds = |rows| Order::minds(surface, rows);
             near.sweep(&order, particles, minds, &mut self.vectors);
             order.restore(surface, &self.vectors, particles, dt);
-            self.update_pressure(particles);
         }
     }
 

@@ -1,5 +1,5 @@
-//! Particles that come too near push each other: where p - q vanishes nothing else keeps them apart. Along
-//! the line of centres, so that linear and angular momentum are kept; walls push as well:
+//! Particles of the liquid that come too near push each other: where p - q vanishes nothing else keeps them apart. Along
+//! the line of centres, so that linear and angular momentum are kept:
 //!
 //! rho_0 a_i = K sigma / dx^3 sum_j (0.8 dx - x_ij) x_ij / |x_ij|
 
@@ -15,19 +15,23 @@ const REST: f64 = 0.8;
 /// K: as stiff as a capillary wave of about two spacings, which the steps resolve.
 const STIFFNESS: f64 = 5.0;
 
-/// Sums to an acceleration, m/s^2.
+/// Sums to an acceleration, m/s^2. Particles of walls neither push nor are pushed: they would hold what lies before them in place,
+/// each between two of them.
 #[derive(Clone, Copy, Debug)]
-pub struct Closeness {
+pub struct Closeness<'a> {
+    /// Whether a body is a wall.
+    is_wall: &'a [bool],
     /// 0.8 dx, m
     rest: f64,
     /// K sigma / (rho_0 dx^3), 1/s^2
     stiffness: f64,
 }
 
-impl Closeness {
+impl<'a> Closeness<'a> {
     /// Of a surface tension in N/m, a density at rest in kg/m^3 and a spacing in m.
-    pub fn new(surface_tension: f64, density: f64, spacing: f64) -> Self {
+    pub fn new(surface_tension: f64, density: f64, spacing: f64, is_wall: &'a [bool]) -> Self {
         Self {
+            is_wall,
             rest: REST * spacing,
             stiffness: STIFFNESS * surface_tension / (density * spacing.powi(3)),
         }
@@ -46,17 +50,24 @@ impl Closeness {
     }
 }
 
-impl<const D: usize> PairTerm<D> for Closeness {
-    type Record<R: Real> = ();
+impl<const D: usize> PairTerm<D> for Closeness<'_> {
+    /// One, and zero for walls.
+    type Record<R: Real> = R;
     type Sum<R: Real> = Vector<R, D>;
     const OFTEN: bool = false;
 
-    fn record(&self, _: &Particles<D>, _: usize) {}
+    fn record(&self, particles: &Particles<D>, i: usize) -> f64 {
+        if self.is_wall.get(usize::from(particles.body[i])) == Some(&true) {
+            0.0
+        } else {
+            1.0
+        }
+    }
 
     #[inline(always)]
-    fn pair<R: Real>(&self, (): &(), (): &(), ij: &Pair<R, D>, sum: &mut Vector<R, D>) {
+    fn pair<R: Real>(&self, i: &R, j: &R, ij: &Pair<R, D>, sum: &mut Vector<R, D>) {
         let distance = (ij.distance_squared + ij.distance_squared.tiny()).sqrt();
         let close = (distance.literal(self.rest) - distance).positive();
-        *sum += ij.offset * (close * self.stiffness / distance);
+        *sum += ij.offset * (*i * *j * close * self.stiffness / distance);
     }
 }

@@ -13,15 +13,23 @@
 //! level sets, the mean of that over the surface, sharpened by what the smoothing took from long ripples. At the contact line
 //! q feels how far the angle is from that of Young, as in the derivative of an energy, the area of the surface and the wet wall's.
 //!
-//! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
-//! other (`closeness`); beside walls they are also put in order (`order`). Forces and moments of each free body are balanced ([`super::bodies`]).
+//! Pressure comes by the equation of state as p - q: a drop at rest is not compressed by its surface, and starts at rest.
 //!
-//! Walls take the pressure p of the liquid beside them, less the q of their own place, and bear q as well (`load`). The pull of
+//! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
+//! other (`closeness`). Beside walls they are also put in order (`order`), and one that comes nearer to a wall than half a spacing,
+//! C_w > 1/3, is pushed off by 32 sigma / dx^2 (C_w - 1/3) per volume: by the smooth field of the wall's colour, along which nothing holds it.
+//! Forces and moments of each free body are balanced ([`super::bodies`]).
+//!
+//! Walls take the pressure p - q of the liquid beside them, and bear q as well (`load`). The pull of
 //! a contact line on its wall is not part of the wall's load, nor what the gradient on the mesh differs by from sums over pairs.
+//!
+//! - `nodes`: kappa; `normals`: which way the surface faces, beside walls too; `even`: means that keep what they mean
 
 mod closeness;
+mod even;
 mod load;
 mod nodes;
+mod normals;
 mod order;
 
 pub use closeness::Closeness;
@@ -46,6 +54,10 @@ pub struct CapillaryPressure;
 pub const REACH: f64 = 12.0;
 /// Colour below which a particle stands out of the surface; those of a flat one have more than a half.
 const STANDING_OUT: f64 = 0.4;
+/// Colour of a wall half a spacing before it.
+const AT_WALL: f64 = 1.0 / 3.0;
+/// Push of a wall on what comes nearer, sigma / dx^2.
+const WALL_STIFFNESS: f64 = 32.0;
 /// Colour above which a node is inside, and nothing is looked for around it.
 const INSIDE: f64 = 0.95;
 
@@ -143,11 +155,13 @@ impl<const D: usize> Scratch<D> {
             if (surroundings.wall)(i).is_some() {
                 return felt;
             }
-            if let Some(fields) = nodes.filled() {
-                let [(filled, _), smooth] = fields.map(|field| mesh.feel_at(field, x));
-                felt.place = Place::beside_walls(filled, smooth);
-            }
             felt.force = gradient * (-sigma / spacing);
+            if let Some([wall, deep]) = nodes.beside_walls() {
+                felt.place = Place::beside_walls(mesh.feel_at(deep, x));
+                let (wall, towards) = mesh.feel_at(wall, x);
+                let push = WALL_STIFFNESS * (wall - AT_WALL).max(0.0) * sigma / spacing.powi(2);
+                felt.force -= towards * (push / towards.norm().max(f64::MIN_POSITIVE));
+            }
             if nodes.colour[mesh.nearest(x)] < INSIDE {
                 let (colour, inward) = mesh.feel_at(&nodes.colour, x);
                 felt.at_surface = Some((colour, inward));

@@ -2,32 +2,40 @@
 //! the cubic B-spline of the mesh, S two passes of (1/4, 1/2, 1/4):
 //!
 //! - C = S sum_j V0 B(x - x_j), and of the walls C_w; c = C / (1 - C_w)       colour, 1 inside
-//! - n = grad c / |grad c|, with the gradient of the cubic spline through c
+//! - n = grad c / |grad c|, with the gradient of the cubic spline through c; beside walls as in [`normals`](super::normals)
 //! - g = 30/0.6^5 ((c - 0.2)(0.8 - c))^2 |grad c| between 0.2 and 0.8, zero else: of integral one through the surface
-//! - kappa_0 = S [g s div(-n)] / S [g s]
-//! - kappa_1 = kappa_0 + f (kappa_0 - S [g s kappa_0] / S [g s]), less b kappa_1^3 dx^2 / (D - 1)^2
-//! - kappa = kappa_1 + l S [g |grad s| (cos(phi) - cos(theta))] / S [g s]
+//! - k = div(-n) / (1 + div(-n) z(c) / (D - 1))
+//! - kappa_0 = T k, T u = S [w u] / S [w], with weights w as in [`even`](super::even), g without walls
+//! - kappa_1 = kappa_0 + f (kappa_0 - T kappa_0)
+//! - kappa = kappa_1 / (1 + b kappa_1^2 dx^2 / (D - 1)^2) + the contact line's part
 //!
-//! where s falls from 1 to 0 through the surface of a wall, and phi is the angle at which n meets it. The divergence
-//! is that of unit vectors, not of second derivatives of c: these are mostly such across the surface, of which one
+//! The divergence is that of unit vectors, not of second derivatives of c: these are mostly such across the surface, of which one
 //! hundredth in the wrong direction is all the curvature there is.
 //!
-//! The line of kappa_1 undoes what spreading, smoothing and differences take: a ripple loses k^2 v / 2 by a variance v
-//! of 3.5 dx^2 in all (spline 1/3, passes 1 and 1, gradient, divergence and interpolation 1/3 each, and the extension), and
-//! one smoothing more, of 1 dx^2, tells how much that is: f = 3.5. Smoothed, the level sets of a ball lie deeper than its surface, and
-//! are more curved: b = 0.5 (exact discs of 7 and 14 dx: 0.49, 0.47).
+//! A level set at a depth z under the surface has a radius smaller by z. So k is what the level set of c = 1/2 would have, by the
+//! depth z(c) that a colour has under a flat surface: it hardly changes across the surface (by 0.4 % over three spacings on a disc of 7 dx,
+//! where div(-n) changes by a quarter), and p - q vanishes inside a drop at rest.
 //!
-//! The last line is the derivative of the area of the surface and of the wet wall at their edge, which vanishes where phi
-//! is Young's angle. It is not sharpened, or the pull of a contact line that starts far from its angle tears the liquid; since
-//! the curvature beside it is, it counts l = 2 times, by drops of 12 dx at 60 and 120 degrees.
+//! kappa_1 undoes what spreading, smoothing and differences take: a ripple loses k^2 v / 2 by a variance v
+//! of 3.5 dx^2 in all (spline 1/3, passes 1 and 1, gradient, divergence and interpolation 1/3 each, and the extension), and
+//! one smoothing more, of 1 dx^2, tells how much that is: f = 3.5. Smoothed, the level set of a ball lies deeper than its surface, and
+//! is more curved: b = 0.88 in two dimensions and 1.47 in three (exact discs and balls of 5 to 14 dx: 0.86 to 0.97, 1.45 to 1.49; by theory of the spread
+//! alone 2/3 and 4/3).
+//!
+//! The contact line's part is T's of |grad s| (cos(phi) - cos(theta)) over the surface, where s falls from 1 to 0 through the surface of a wall and
+//! phi is the angle at which n meets it. It is the derivative of the area of the surface and of the wet wall at their edge, and vanishes where phi
+//! is Young's angle. It is not sharpened, or the pull of a contact line that starts far from its angle tears the liquid.
 //!
 //! Beyond the surface kappa goes on as in [`Mesh::fill`].
+
+use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
 use super::super::mesh::{Fill, Layered, Mesh};
+use super::even::Even;
+use super::normals;
 use super::order;
-use crate::vector::Vector;
 
 /// Passes of smoothing of the colour, and of the curvature.
 const PASSES: usize = 2;
@@ -44,13 +52,20 @@ const LEAST_SLOPE: f64 = 0.02;
 /// Colours of a wall between which it ends, about that of its surface.
 const WALL: [f64; 2] = [0.3, 0.7];
 /// Colour of a wall from which on nothing is divided by what it leaves.
-const SOLID: f64 = 0.95;
+const SOLID: f64 = 0.995;
 /// f
 const SHARPENING: f64 = 3.5;
+/// Variance of the colour's profile along each axis, dx^2: spline 1/3, passes 1/2 each.
+const VARIANCE: f64 = 1.0 / 3.0 + 0.5 * PASSES as f64;
 /// b
-const DEEPER: f64 = 0.5;
-/// l
-const CONTACT_LINE: f64 = 2.0;
+const fn deeper(dimension: usize) -> f64 {
+    if dimension == 3 { 1.47 } else { 0.88 }
+}
+/// Least of what curvatures are divided by.
+const SHALLOWEST: f64 = 0.3;
+/// Weight of the surface below which the contact line's part is not divided by it, and the most of that part, 1/dx.
+const LEAST_SURFACE: f64 = 0.05;
+const MOST_PULLED: f64 = 0.5;
 /// Up to which squared curvature, 1/dx^2, that is taken to be so.
 const MOST_CURVED: f64 = 0.04;
 /// Weight of the surroundings in the extension of the curvature, beside that of the surface, up to 0.3.
@@ -63,27 +78,39 @@ pub(super) struct Nodes<const D: usize> {
     pub colour: Vec<f64>,
     /// kappa
     pub curvature: Vec<f64>,
-    /// Of liquid and walls together, and smoothed more, where there are walls.
-    filled: Vec<f64>,
+    /// Of liquid and walls together, smoothed more, where there are walls.
     deep: Vec<f64>,
     wall: Vec<f64>,
     wetting: Vec<f64>,
-    normal: Vec<Vector<f64, D>>,
-    /// g s
+    /// s
+    open: Vec<f64>,
+    normals: normals::Normals<D>,
+    /// g s, and what it comes to where it is evened out beside walls
     weight: Vec<f64>,
     pull: Vec<f64>,
     /// Where there are walls.
     line: Vec<f64>,
+    /// S [g s], and of w
+    surface: Vec<f64>,
     smooth_weight: Vec<f64>,
+    even: Even,
     spare: Vec<f64>,
     fill: Fill<D>,
 }
 
-/// s, and minus its slope, of a wall's colour.
-fn share(wall: f64) -> (f64, f64) {
-    let width = WALL[1] - WALL[0];
-    let u = ((wall - WALL[0]) / width).clamp(0.0, 1.0);
-    (1.0 - u * u * (3.0 - 2.0 * u), 6.0 * u * (1.0 - u) / width)
+/// s of a wall's colour.
+fn share(wall: f64) -> f64 {
+    let u = ((wall - WALL[0]) / (WALL[1] - WALL[0])).clamp(0.0, 1.0);
+    1.0 - u * u * (3.0 - 2.0 * u)
+}
+
+/// How far inside of c = 1/2 a flat surface has this colour, dx: that of a step smoothed by a normal distribution.
+fn depth(colour: f64) -> f64 {
+    let u = 2.0 * colour - 1.0;
+    let v = u * u;
+    // The inverse of the error function.
+    let series = 1.0 + v * (0.261_80 + v * (0.143_93 + v * 0.097_66));
+    (0.5 * PI * VARIANCE).sqrt() * u * series
 }
 
 fn ratio(sum: f64, weight: f64) -> f64 {
@@ -100,7 +127,6 @@ impl<const D: usize> Nodes<D> {
             (&mut self.weight, mesh.len()),
             (&mut self.pull, mesh.len()),
             (&mut self.line, of_walls),
-            (&mut self.filled, of_walls),
             (&mut self.deep, of_walls),
             (&mut self.wall, of_walls),
             (&mut self.wetting, of_walls),
@@ -116,111 +142,81 @@ impl<const D: usize> Nodes<D> {
             mesh.smooth(&mut self.wall, spare, PASSES);
             mesh.smooth(&mut self.wetting, spare, PASSES);
             let both = self.colour.iter().zip(&self.wall);
-            for (filled, (colour, wall)) in self.filled.iter_mut().zip(both) {
-                *filled = colour + wall;
+            for (deep, (colour, wall)) in self.deep.iter_mut().zip(both) {
+                *deep = colour + wall;
             }
-            self.deep.copy_from_slice(&self.filled);
             mesh.smooth(&mut self.deep, spare, order::PASSES);
             for (colour, wall) in self.colour.iter_mut().zip(&self.wall) {
                 *colour /= 1.0 - wall.min(SOLID);
             }
         }
-        self.find_normals(mesh);
+        let bounds = [SURFACE[0] - LEEWAY, SURFACE[1] + LEEWAY];
+        self.normals.find(mesh, &self.colour, &self.wall, bounds);
         self.weigh(mesh);
         self.average(mesh);
     }
 
-    /// The colour of liquid and walls together, as it is and smoothed more; none without walls.
-    pub fn filled(&self) -> Option<[&[f64]; 2]> {
-        (!self.filled.is_empty()).then_some([&self.filled, &self.deep])
-    }
-
-    /// n, at the surface and one node around.
-    fn find_normals(&mut self, mesh: &Mesh<D>) {
-        let (colour, stencil) = (&self.colour, mesh.gradient_stencil());
-        let (nodes, inner) = (mesh.nodes_per_task(), mesh.inner());
-        let near = |c: f64| c > SURFACE[0] - LEEWAY && c < SURFACE[1] + LEEWAY;
-        let direction = |i: usize| {
-            let beside = (0..D).any(|axis| {
-                mesh.beside(i, axis)
-                    .map(|j| colour[j])
-                    .into_iter()
-                    .any(near)
-            });
-            if !(beside || near(colour[i])) {
-                return Vector::ZERO;
-            }
-            let mut gradient = Vector::ZERO;
-            for (away, weight) in &stencil {
-                gradient += *weight * colour[i.wrapping_add_signed(*away)];
-            }
-            gradient
-        };
-        self.normal.resize(mesh.len(), Vector::ZERO);
-        (self.normal.par_chunks_mut(nodes).enumerate()).for_each(|(task, normal)| {
-            for (k, normal) in normal.iter_mut().enumerate() {
-                let i = task * nodes + k;
-                *normal = if inner.contains(&i) {
-                    direction(i)
-                } else {
-                    Vector::ZERO
-                };
-            }
-        });
+    /// The colour of walls, and that of liquid and walls together, smoothed more; none without walls.
+    pub fn beside_walls(&self) -> Option<[&[f64]; 2]> {
+        (!self.wall.is_empty()).then_some([&self.wall, &self.deep])
     }
 
     /// The surface, its curvature times that, and the contact line.
     fn weigh(&mut self, mesh: &Mesh<D>) {
+        self.open.clear();
+        self.open.extend(self.wall.iter().map(|&wall| share(wall)));
         let Self {
             colour,
-            normal,
+            normals,
             wall,
             wetting,
+            open,
             weight,
             pull,
             line,
             ..
         } = self;
-        let (colour, normal, wall, wetting) = (&*colour, &*normal, &*wall, &*wetting);
+        let (colour, normals, wall, wetting) = (&*colour, &*normals, &*wall, &*wetting);
+        let open = &*open;
         let (nodes, inner) = (mesh.nodes_per_task(), mesh.inner());
         let sharpest = D as f64 - 1.0;
-        let unit =
-            |gradient: Vector<f64, D>| gradient * (1.0 / gradient.norm().max(f64::MIN_POSITIVE));
         let surface = |i: usize| {
             let c = colour[i];
-            let slope = normal[i].norm();
+            let slope = normals.slope(i);
             if !inner.contains(&i) || c <= SURFACE[0] || c >= SURFACE[1] || slope < LEAST_SLOPE {
                 return None;
             }
             let bell = ((c - SURFACE[0]) * (SURFACE[1] - c)).powi(2);
-            Some(30.0 / (SURFACE[1] - SURFACE[0]).powi(5) * bell * slope)
+            let steep = 30.0 / (SURFACE[1] - SURFACE[0]).powi(5) * bell * slope;
+            Some(steep * normals.rise(i))
         };
         let curvature = |i: usize| {
-            let mut divergence = 0.0;
-            for axis in 0..D {
-                let [before, after] = mesh.beside(i, axis);
-                divergence += 0.5 * (unit(normal[after])[axis] - unit(normal[before])[axis]);
-            }
-            (-divergence).clamp(-sharpest, sharpest)
+            let curvature = -normals.divergence(mesh, i) * normals.stretch(mesh, wall, i);
+            let curvature = curvature.clamp(-sharpest, sharpest);
+            curvature / (1.0 + curvature * depth(colour[i]) / sharpest).max(SHALLOWEST)
         };
         let parts = weight.par_chunks_mut(nodes).zip(pull.par_chunks_mut(nodes));
         parts.enumerate().for_each(|(task, (weight, pull))| {
             for (k, (weight, pull)) in weight.iter_mut().zip(pull).enumerate() {
                 let i = task * nodes + k;
                 if let Some(surface) = surface(i) {
-                    *weight = surface * wall.get(i).map_or(1.0, |&wall| share(wall).0);
+                    *weight = surface * open.get(i).unwrap_or(&1.0);
                     *pull = *weight * curvature(i);
                 }
             }
         });
+        // Differences of s as those of n, or their sum would depend on where nodes lie.
         (line.par_chunks_mut(nodes).enumerate()).for_each(|(task, line)| {
             for (k, line) in line.iter_mut().enumerate() {
                 let i = task * nodes + k;
-                let falls = share(wall[i]).1;
-                if let Some(surface) = surface(i).filter(|_| falls > 0.0) {
-                    let towards = mesh.difference(wall, i);
-                    let met = unit(normal[i]).dot(&unit(towards));
-                    *line = surface * falls * towards.norm() * (met - wetting[i] / wall[i]);
+                let Some(surface) = surface(i) else {
+                    continue;
+                };
+                let towards = mesh.difference(open, i) * -1.0;
+                let steep = towards.norm();
+                if steep > 0.0 {
+                    let cosine = wetting[i] / wall[i].max(f64::MIN_POSITIVE);
+                    *line = surface * (normals.unit(i).dot(&towards) - cosine * steep);
                 }
             }
         });
@@ -228,15 +224,21 @@ impl<const D: usize> Nodes<D> {
 
     /// kappa, everywhere.
     fn average(&mut self, mesh: &Mesh<D>) {
+        let walled = !self.line.is_empty();
         let spare = &mut self.spare;
-        self.smooth_weight.clone_from(&self.weight);
-        mesh.smooth(&mut self.smooth_weight, spare, PASSES);
+        self.surface.clone_from(&self.weight);
+        mesh.smooth(&mut self.surface, spare, PASSES);
+        self.smooth_weight.clone_from(&self.surface);
+        if walled {
+            let (weight, smooth) = (&mut self.weight, &mut self.smooth_weight);
+            let along = [&mut self.pull, &mut self.line];
+            self.even.out(mesh, PASSES, weight, smooth, along, spare);
+        }
         mesh.smooth(&mut self.pull, spare, PASSES);
         let weights = self.weight.iter().zip(&self.smooth_weight);
         self.curvature.clear();
-        (self.curvature).extend(
-            (self.pull.iter().zip(weights.clone())).map(|(sum, (_, weight))| ratio(*sum, *weight)),
-        );
+        (self.curvature)
+            .extend((self.pull.iter().zip(weights)).map(|(sum, (_, weight))| ratio(*sum, *weight)));
         let rough = &mut self.pull;
         for ((rough, curvature), weight) in rough.iter_mut().zip(&self.curvature).zip(&self.weight)
         {
@@ -247,18 +249,19 @@ impl<const D: usize> Nodes<D> {
         for (curvature, (sum, weight)) in self.curvature.iter_mut().zip(smoothed) {
             *curvature += SHARPENING * (*curvature - ratio(*sum, *weight));
             let of_each = (*curvature / (D as f64 - 1.0)).powi(2);
-            *curvature -= *curvature * DEEPER * of_each.min(MOST_CURVED);
+            *curvature /= 1.0 + deeper(D) * of_each.min(MOST_CURVED);
         }
-        if !self.line.is_empty() {
+        if walled {
             mesh.smooth(&mut self.line, spare, PASSES);
             let lines = self.line.iter().zip(&self.smooth_weight);
             for (curvature, (sum, weight)) in self.curvature.iter_mut().zip(lines) {
-                *curvature += CONTACT_LINE * ratio(*sum, *weight);
+                let pulled = sum / weight.max(LEAST_SURFACE);
+                *curvature += pulled.clamp(-MOST_PULLED, MOST_PULLED);
             }
         }
         mesh.fill(
             &mut self.curvature,
-            &self.smooth_weight,
+            &self.surface,
             EXTENSION,
             &mut self.fill,
         );

@@ -51,6 +51,19 @@ impl<const D: usize> Mesh<D> {
         }
     }
 
+    /// The node and all around it, by their distance in memory.
+    pub fn around_node(&self) -> Vec<isize> {
+        (0..3_usize.pow(D as u32))
+            .map(|k| {
+                (0..D)
+                    .map(|d| (k / 3_usize.pow(d as u32) % 3) as isize - 1)
+                    .zip(self.stride)
+                    .map(|(away, stride)| away * stride as isize)
+                    .sum()
+            })
+            .collect()
+    }
+
     /// Weights of the nodes around one, by their distance in memory, that give the gradient at a node of the
     /// field that cubic splines make of values at the nodes.
     pub fn gradient_stencil(&self) -> Vec<(isize, Vector<f64, D>)> {
