@@ -149,11 +149,12 @@ impl<const D: usize> Walls<D> {
         &mut self,
         pairs: &mut Pairs<D>,
         particles: &Particles<D>,
+        pull: bool,
         rates: &mut [f64],
     ) {
         if !self.is_empty() {
             self.compression
-                .complete(pairs, particles, &self.rows, rates);
+                .complete(pairs, particles, &self.rows, pull, rates);
         }
     }
 

@@ -20,8 +20,10 @@ impl<const D: usize> Rates<D> {
         match self.scheme.density {
             DensityForm::Continuity | DensityForm::Number | DensityForm::Corrected => {
                 self.find_compression(particles);
+                // The pressure beyond capillary pressure has either sign.
+                let pull = self.capillary_tension().is_some();
                 self.walls
-                    .compress(&mut self.pairs, particles, &mut self.scalars);
+                    .compress(&mut self.pairs, particles, pull, &mut self.scalars);
                 self.diffuse(particles, time + 0.5 * dt);
                 self.smooth_motion(particles, dt);
                 (particles.density.par_iter_mut(), &self.scalars)

@@ -10,7 +10,7 @@
 //! over wall particles w and their fluid neighbours k. It is the adjoint of eq. 27: with it the
 //! power of a wall's pressure is the rate of elastic energy. Doubling continuity's own sum, or
 //! mirrored velocities, compress as much, but feed waves of sound and of the scale of particles
-//! along a wall (found by trying both in a tank at rest). A wall whose pressure has been cut off at zero
+//! along a wall (found by trying both in a tank at rest). A wall that pushes alone, whose pressure has been cut off at zero,
 //! does no such work.
 
 use crate::particles::Particles;
@@ -27,12 +27,13 @@ pub struct Compression {
 
 impl Compression {
     /// Completes (1/rho) D rho / Dt, 1/s, of the fluid by what the sums of continuity have for the
-    /// rows of walls.
+    /// rows of walls; those that `pull` do so whatever their pressure.
     pub fn complete<const D: usize>(
         &mut self,
         sweep: &mut impl Sweep<D>,
         particles: &Particles<D>,
         walls: &[u32],
+        pull: bool,
         rates: &mut [f64],
     ) {
         let Self { weighted, sums } = self;
@@ -48,7 +49,7 @@ impl Compression {
         weighted.fill(0.0);
         for &row in walls {
             let row = row as usize;
-            if sums[row] > 0.0 && particles.pressure[row] > 0.0 {
+            if sums[row] > 0.0 && (pull || particles.pressure[row] > 0.0) {
                 weighted[row] = rates[row] * particles.volume(row) / sums[row];
             }
         }

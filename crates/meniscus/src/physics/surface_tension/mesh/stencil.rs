@@ -31,7 +31,7 @@ impl<const D: usize> Mesh<D> {
     }
 
     /// Passes of 1/4, 1/2, 1/4 along each axis: each adds half a squared spacing to the variance
-    /// of what was spread. It must not reach the edge.
+    /// of what was spread. It must not reach the edge, where values stay.
     pub fn smooth(&self, values: &mut Vec<f64>, spare: &mut Vec<f64>, passes: usize) {
         spare.resize(values.len(), 0.0);
         let (nodes, inner) = (self.nodes_per_task(), self.inner());
@@ -41,6 +41,7 @@ impl<const D: usize> Mesh<D> {
                 let from = &*values;
                 (spare.par_chunks_mut(nodes).enumerate()).for_each(|(task, to)| {
                     let first = task * nodes;
+                    to.copy_from_slice(&from[first..first + to.len()]);
                     let (low, high) = (inner.start.max(first), inner.end.min(first + to.len()));
                     for i in low..high {
                         to[i - first] = 0.5 * from[i] + 0.25 * (from[i - s] + from[i + s]);
