@@ -2,7 +2,6 @@
 
 use super::Rates;
 use crate::domain::Domain;
-use crate::fluid::Fluid;
 use crate::pairs::Pairs;
 use crate::particles::Particles;
 use crate::physics::surface_tension::SurfaceTension;
@@ -232,17 +231,13 @@ impl<const D: usize> Rates<D> {
     /// Puts particles beside walls in order, where the model asks for it, for `dt` seconds: after the forces of a step, in
     /// whose order of rows it knows their places.
     pub(crate) fn put_in_order(&mut self, particles: &mut Particles<D>, dt: f64) {
-        let Some(SurfaceTension::CapillaryPressure(_)) = self.scheme.surface_tension else {
+        let Some(surface_tension) = self.capillary_tension() else {
             return;
         };
-        let Fluid {
-            surface_tension,
-            density,
-            ..
-        } = self.fluids[0];
-        if self.walls.is_empty() || surface_tension == 0.0 {
+        if self.walls.is_empty() {
             return;
         }
+        let density = self.fluids[0].density;
         let order = Order::new::<D>(surface_tension, density, self.spacing);
         let surface = &self.surface;
         if let Some(near) = self.pairs.second() {
