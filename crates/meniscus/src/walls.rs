@@ -190,8 +190,7 @@ impl<const D: usize> Walls<D> {
     }
 
     /// Before the forces at `time`, s, in a body force of `gravity`, m/s^2, of walls in their places: pressure,
-    /// density, and the velocity that viscous forces see. `capillary` pressure: sigma, N/m, and kappa of each
-    /// row, 1/m; the pressures of liquid and walls are then those beyond it.
+    /// density, and the velocity that viscous forces see.
     pub(crate) fn prepare(
         &mut self,
         pairs: &mut Pairs<D>,
@@ -199,7 +198,6 @@ impl<const D: usize> Walls<D> {
         equations_of_state: &[Tait],
         gravity: Vector<f64, D>,
         time: f64,
-        capillary: Option<(f64, &[f64])>,
     ) {
         if self.is_empty() {
             return;
@@ -225,11 +223,10 @@ impl<const D: usize> Walls<D> {
             if sum.weight > 0.0 {
                 let moved = self.moved(particles, row, time);
                 let pull = gravity - moved.map_or(Vector::ZERO, |moved| moved.acceleration);
-                // A wall pulls no more than the surface nearby, or the liquid beside it: above a water
-                // line the line goes on below zero, and would draw particles in.
-                let asked = capillary.map(|(sigma, curvature)| sigma * curvature[row]);
-                let beside = asked.unwrap_or(sum.pressure / sum.weight);
-                let least = beside.min(0.0).max(-self.tension) - asked.unwrap_or(0.0);
+                // A wall pulls no more than the liquid beside it: above a water line the line goes on below zero,
+                // and would draw particles in.
+                let beside = sum.pressure / sum.weight;
+                let least = beside.min(0.0).max(-self.tension);
                 pressure = ((sum.pressure + pull.dot(&sum.head)) / sum.weight).max(least);
                 let share = 1.0 / sum.weight;
                 let wall = self.wall_of(particles, row).map(|wall| &self.walls[wall]);

@@ -158,14 +158,12 @@ impl<const D: usize> Rates<D> {
             // Forces of pairs see p - q, which is what density gives.
             self.update_pressure(particles);
         }
-        let capillary = sigma.map(|sigma| (sigma, &self.surface.curvature[..]));
         self.walls.prepare(
             &mut self.pairs,
             particles,
             &self.equations_of_state,
             body_force,
             time,
-            capillary,
         );
         self.press_walls(particles);
         let mut acceleration = std::mem::take(&mut particles.acceleration);

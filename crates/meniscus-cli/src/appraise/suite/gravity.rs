@@ -20,6 +20,8 @@ const HALF_GAP: f64 = 0.5;
 const FACE: f64 = 0.5;
 /// Half of the periodic box.
 const HALF_BOX: f64 = 3.5;
+/// Level at the start: the liquid that sinks in between stays clear of the plates' lower edges, at 0.8.
+const LEVEL: f64 = 2.4;
 
 /// Models without contact angles do not sit them.
 pub fn trials(model: Model, effort: Effort) -> Vec<Trial> {
@@ -101,9 +103,9 @@ fn plates(angle: u32) -> Flow {
         beside: Beside::Walls,
         bodies: vec![
             block([-HALF_BOX, 0.0], [HALF_BOX, 0.8]),
-            block([-HALF_BOX, 0.8], [-outside, 2.0]),
-            block([-HALF_GAP, 0.8], [HALF_GAP, 2.0]),
-            block([outside, 0.8], [HALF_BOX, 2.0]),
+            block([-HALF_BOX, 0.8], [-outside, LEVEL]),
+            block([-HALF_GAP, 0.8], [HALF_GAP, LEVEL]),
+            block([outside, 0.8], [HALF_BOX, LEVEL]),
         ],
         physics: "body_force = [0, -1]\n".into(),
         rest: [

@@ -16,17 +16,18 @@
 //! Pressure comes by the equation of state as p - q: a drop at rest is not compressed by its surface, and starts at rest.
 //!
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
-//! other (`closeness`). Beside walls they are also put in order (`order`), and one that comes nearer to a wall than half a spacing,
+//! other (`closeness`). Beside walls they are also put in order, and density settles on the surface (`order`); and one that comes nearer to a wall than half a spacing,
 //! C_w > 1/3, is pushed off by 32 sigma / dx^2 (C_w - 1/3) per volume: by the smooth field of the wall's colour, along which nothing holds it.
 //! Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
 //! Walls take the pressure p - q of the liquid beside them, and bear q as well (`load`). The pull of
 //! a contact line on its wall is not part of the wall's load, nor what the gradient on the mesh differs by from sums over pairs.
 //!
-//! - `nodes`: kappa; `normals`: which way the surface faces, beside walls too; `even`: means that keep what they mean
+//! - `nodes`: kappa; `normals`: which way the surface faces, beside walls too; `facing`: which way walls do; `even`: means that keep what they mean
 
 mod closeness;
 mod even;
+mod facing;
 mod load;
 mod nodes;
 mod normals;
@@ -43,7 +44,7 @@ use super::mesh::{Layered, Surroundings};
 use super::surface::Surface;
 use crate::particles::Particles;
 use crate::vector::Vector;
-use nodes::{MARGIN, Nodes, PERIODIC_MARGIN};
+use nodes::{MARGIN, Nodes, PERIODIC_MARGIN, WALLED_MARGIN};
 use order::Place;
 
 /// The model; it has no parameter.
@@ -133,7 +134,12 @@ impl<const D: usize> Scratch<D> {
     ) {
         let domain = &surroundings.groups.domain;
         let repeats = domain.periodic.iter().any(Option::is_some);
-        let margin = if repeats { PERIODIC_MARGIN } else { MARGIN };
+        let of_wall = |&row: &u32| (surroundings.wall)(row as usize).is_some();
+        let margin = match repeats {
+            true => PERIODIC_MARGIN,
+            false if rows.iter().any(of_wall) => WALLED_MARGIN,
+            false => MARGIN,
+        };
         let (liquid, walls) = (&mut self.liquid, &mut self.walls);
         let Some(mesh) = surroundings.mesh(particles, rows, margin, liquid, walls) else {
             return;

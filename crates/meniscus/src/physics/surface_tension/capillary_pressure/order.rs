@@ -11,6 +11,10 @@
 //! it up to D = 0.9. It is D which tells, since the surface of the colour itself runs along the wall under a foot of one particle,
 //! whose shifts would draw it out, and around voids, which shifts are to close.
 //!
+//! On the surface, where D tells it, density settles to rho_0 at a rate of 0.5 u / dx: the condition p - q = 0 of a free surface.
+//! Each time that a contact line moves on, the wall before it, which sees liquid come and none go, compresses the
+//! particles there (continuity is the adjoint of the wall's pressure); what is left of it would hold the line off its angle.
+//!
 //! In two dimensions reach = 1.5 dx and e_0 = 0.15, in three 2 dx and 0.1. Velocities stay, and momentum with them. Free bodies need
 //! no such order, and get none.
 
@@ -24,6 +28,8 @@ use crate::vector::Vector;
 const PACE: f64 = 0.1;
 /// Passes of smoothing from the colour to D.
 pub(super) const PASSES: usize = 4;
+/// Rate at which the density of the surface settles, u / dx.
+const SETTLING: f64 = 0.5;
 /// D between which the surface ends.
 const SURFACE: [f64; 2] = [0.75, 0.9];
 
@@ -42,7 +48,7 @@ const fn fair(dimension: usize) -> f64 {
 pub(super) struct Place<const D: usize> {
     /// Whether it is of a liquid that walls hold.
     held: bool,
-    /// The share of e along `inward` that is taken away.
+    /// The share of e along `inward` that is taken away; 1 on the surface, 0 inside.
     surface: f64,
     /// The direction of grad D.
     inward: Vector<f64, D>,
@@ -67,14 +73,21 @@ pub struct Order {
     reach: f64,
     /// Largest speed of shifting, m/s.
     pace: f64,
+    /// Rate of settling, 1/s.
+    settling: f64,
+    /// rho_0, kg/m^3
+    density: f64,
 }
 
 impl Order {
     /// Of a surface tension in N/m, a density at rest in kg/m^3 and a spacing in m.
     pub fn new<const D: usize>(surface_tension: f64, density: f64, spacing: f64) -> Self {
+        let pace = (surface_tension / (density * spacing)).sqrt();
         Self {
             reach: reach(D) * spacing,
-            pace: PACE * (surface_tension / (density * spacing)).sqrt(),
+            pace: PACE * pace,
+            settling: SETTLING * pace / spacing,
+            density,
         }
     }
 
@@ -87,7 +100,7 @@ impl Order {
         rows.any(|row| places[row].held)
     }
 
-    /// Shifts particles by `uneven`, their e, for `dt` seconds.
+    /// Shifts particles by `uneven`, their e, and settles the density of those on the surface, for `dt` seconds.
     pub(crate) fn restore<const D: usize>(
         &self,
         surface: &Surface<D>,
@@ -97,6 +110,8 @@ impl Order {
     ) {
         let places = &surface.capillary_pressure.places;
         for (row, place) in places.iter().enumerate().filter(|(_, place)| place.held) {
+            let settled = place.surface * (self.settling * dt).min(1.0);
+            particles.density[row] += settled * (self.density - particles.density[row]);
             let mut way = uneven[row];
             way -= place.inward * (place.surface * place.inward.dot(&way));
             let length = way.norm();

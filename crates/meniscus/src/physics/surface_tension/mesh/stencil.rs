@@ -53,16 +53,14 @@ impl<const D: usize> Mesh<D> {
     }
 
     /// The node and all around it, by their distance in memory.
-    pub fn around_node(&self) -> Vec<isize> {
-        (0..3_usize.pow(D as u32))
-            .map(|k| {
-                (0..D)
-                    .map(|d| (k / 3_usize.pow(d as u32) % 3) as isize - 1)
-                    .zip(self.stride)
-                    .map(|(away, stride)| away * stride as isize)
-                    .sum()
-            })
-            .collect()
+    pub fn around_node(&self) -> impl Iterator<Item = isize> {
+        (0..3_usize.pow(D as u32)).map(|k| {
+            (0..D)
+                .map(|d| (k / 3_usize.pow(d as u32) % 3) as isize - 1)
+                .zip(self.stride)
+                .map(|(away, stride)| away * stride as isize)
+                .sum()
+        })
     }
 
     /// Weights of the nodes around one, by their distance in memory, that give the gradient at a node of the
