@@ -27,6 +27,8 @@
 
 mod closeness;
 mod even;
+#[cfg(test)]
+mod exact_drops;
 mod facing;
 mod load;
 mod nodes;
