@@ -16,7 +16,7 @@
 //! Pressure comes by the equation of state as p - q: a drop at rest is not compressed by its surface, and starts at rest.
 //!
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
-//! other (`closeness`). Beside walls they are also put in order, and density settles on the surface (`order`); and one that comes nearer to a wall than half a spacing,
+//! other (`closeness`). Beside walls they are also put in order, and density settles at contact lines (`order`); and one that comes nearer to a wall than half a spacing,
 //! C_w > 1/3, is pushed off by 32 sigma / dx^2 (C_w - 1/3) per volume: by the smooth field of the wall's colour, along which nothing holds it.
 //! Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
@@ -165,8 +165,8 @@ impl<const D: usize> Scratch<D> {
             }
             felt.force = gradient * (-sigma / spacing);
             if let Some([wall, deep]) = nodes.beside_walls() {
-                felt.place = Place::beside_walls(mesh.feel_at(deep, x));
                 let (wall, towards) = mesh.feel_at(wall, x);
+                felt.place = Place::beside_walls(mesh.feel_at(deep, x), wall);
                 let push = WALL_STIFFNESS * (wall - AT_WALL).max(0.0) * sigma / spacing.powi(2);
                 felt.force -= towards * (push / towards.norm().max(f64::MIN_POSITIVE));
             }
