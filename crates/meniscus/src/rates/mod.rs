@@ -286,9 +286,8 @@ fn mean_spacing<const D: usize>(fluids: &[Fluid], particles: &Particles<D>) -> f
     (volume / particles.len().max(1) as f64).powf(1.0 / D as f64)
 }
 
-/// How much walls pull, Pa. Models in balance ask for the liquid's pressure in the wall as well, sigma
-/// kappa, which is below zero under a hollow surface: down to that of one bent by 1 / h. What is
-/// further below is noise.
+/// How much walls pull, Pa, at most: with models in balance they pull as the liquid beside them does, under a hollow surface or
+/// above the level of a pool, as far as the pressure of a surface bent by 1 / h. What is further below is noise.
 fn wall_tension(scheme: &Scheme, fluids: &[Fluid]) -> f64 {
     match (scheme.surface_tension, fluids) {
         (Some(SurfaceTension::Balanced(_) | SurfaceTension::CapillaryPressure(_)), [fluid, ..]) => {

@@ -31,6 +31,12 @@ pub(super) fn unit<const D: usize>(vector: Vector<f64, D>) -> Vector<f64, D> {
     vector * (1.0 / vector.norm().max(f64::MIN_POSITIVE))
 }
 
+/// 1 up to the first of two colours of a wall, 0 from the second on, smooth in between.
+pub(super) fn fading(wall: f64, [from, to]: [f64; 2]) -> f64 {
+    let u = ((wall - from) / (to - from)).clamp(0.0, 1.0);
+    1.0 - u * u * (3.0 - 2.0 * u)
+}
+
 /// M, dx, by a polynomial within 0.008, for a variance in dx^2.
 pub(super) fn before(wall: f64, variance: f64) -> f64 {
     let root = wall.clamp(0.0, 0.5).sqrt();

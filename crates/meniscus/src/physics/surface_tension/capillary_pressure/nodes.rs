@@ -105,12 +105,6 @@ pub(super) struct Nodes<const D: usize> {
     fill: Fill<D>,
 }
 
-/// s of a wall's colour.
-fn share(wall: f64) -> f64 {
-    let u = ((wall - WALL[0]) / (WALL[1] - WALL[0])).clamp(0.0, 1.0);
-    1.0 - u * u * (3.0 - 2.0 * u)
-}
-
 /// How far inside of c = 1/2 a flat surface has this colour, dx: that of a step smoothed by a normal distribution.
 fn depth(colour: f64) -> f64 {
     let u = 2.0 * colour - 1.0;
@@ -173,7 +167,8 @@ impl<const D: usize> Nodes<D> {
     /// The surface, its curvature times that, and the contact line.
     fn weigh(&mut self, mesh: &Mesh<D>) {
         self.open.clear();
-        self.open.extend(self.wall.iter().map(|&wall| share(wall)));
+        self.open
+            .extend(self.wall.iter().map(|&wall| facing::fading(wall, WALL)));
         let Self {
             colour,
             facing,

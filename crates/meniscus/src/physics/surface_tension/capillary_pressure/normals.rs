@@ -16,7 +16,7 @@
 use rayon::prelude::*;
 
 use super::super::mesh::Mesh;
-use super::facing::{Facing, TRACE, unit};
+use super::facing::{Facing, TRACE, fading, unit};
 use crate::vector::Vector;
 
 /// Colours of a wall between which nodes go over to the direction of those before them.
@@ -52,8 +52,7 @@ fn upright(wall: f64) -> f64 {
 
 /// The share of a node's own direction.
 fn own(wall: f64) -> f64 {
-    let u = ((wall - OWN[0]) / (OWN[1] - OWN[0])).clamp(0.0, 1.0);
-    1.0 - u * u * (3.0 - 2.0 * u)
+    fading(wall, OWN)
 }
 
 fn sine(cosine: f64) -> f64 {
