@@ -53,6 +53,7 @@
 
 #![deny(missing_docs)]
 
+mod cells;
 pub mod divergence;
 pub mod domain;
 pub mod fluid;

@@ -10,7 +10,8 @@ use crate::particles::Particles;
 use crate::physics::equation_of_state::Tait;
 use crate::physics::surface_tension::balanced::Wetting;
 use crate::physics::wall::{
-    Adhesion, Bearing, Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall, Walled,
+    Adhesion, Bearing, Compression, Edge, Extrapolation, Motion, Moved, Neighbourhood, Shared,
+    Slip, Wall, Walled, normals,
 };
 use crate::simulation::Simulation;
 use crate::term::Sweep;
@@ -43,6 +44,11 @@ pub(crate) struct Walls<const D: usize> {
     mass: Vec<f64>,
     sums: Vec<Neighbourhood<f64, D>>,
     compression: Compression,
+    /// Unit normals of wall particles at t = 0, by number of the particle.
+    normal: Vec<Vector<f64, D>>,
+    /// Forces over sums of W that pressure is kept from, and what comes of them.
+    kept: Vec<Vector<f64, D>>,
+    shares: Vec<Vector<f64, D>>,
     loads: Vec<WallLoad>,
     /// Work on the liquid per time, W.
     power: f64,
@@ -55,7 +61,13 @@ pub(crate) struct Walls<const D: usize> {
 impl<const D: usize> Walls<D> {
     /// Walls of particles at the start, in the order of their numbers. Liquid whose
     /// pressure is below zero they hold by up to this `tension`, Pa.
-    pub(crate) fn new(walls: &[Wall], particles: &Particles<D>, tension: f64) -> Self {
+    pub(crate) fn new(
+        walls: &[Wall],
+        particles: &Particles<D>,
+        tension: f64,
+        spacing: f64,
+        domain: &Domain<D>,
+    ) -> Self {
         let bodies = walls.iter().map(|wall| usize::from(wall.body) + 1).max();
         let bodies = bodies.unwrap_or(0);
         let mut new = Self {
@@ -75,6 +87,13 @@ impl<const D: usize> Walls<D> {
                 Slip::NoSlip => 1.0,
                 Slip::FreeSlip => 2.0,
             };
+        }
+        let of_walls = (0..particles.len()).filter(|&i| new.is_wall(particles.body[i]));
+        let of_walls: Vec<usize> = of_walls.collect();
+        let places: Vec<_> = of_walls.iter().map(|&i| particles.position[i]).collect();
+        new.normal.resize(particles.len(), Vector::ZERO);
+        for (i, normal) in of_walls.into_iter().zip(normals(&places, spacing, domain)) {
+            new.normal[particles.id[i] as usize] = normal;
         }
         if walls.iter().any(|wall| wall.motion != Motion::Rest) {
             new.start.clone_from(&particles.position);
@@ -144,7 +163,8 @@ impl<const D: usize> Walls<D> {
         self.place(pairs, particles, self.time + 0.5 * dt);
     }
 
-    /// Completes the rates that continuity has found, 1/s, by what walls do to the fluid.
+    /// Completes the rates that continuity has found, 1/s, by what walls do to the fluid: those that pull on it
+    /// whatever their pressure, and but for what moves along them at its edge.
     pub(crate) fn compress(
         &mut self,
         pairs: &mut Pairs<D>,
@@ -152,10 +172,77 @@ impl<const D: usize> Walls<D> {
         pull: bool,
         rates: &mut [f64],
     ) {
-        if !self.is_empty() {
-            self.compression
-                .complete(pairs, particles, &self.rows, pull, rates);
+        if self.is_empty() {
+            return;
         }
+        self.look(pairs, particles);
+        let mut compression = std::mem::take(&mut self.compression);
+        let time = self.time + 0.5 * self.step;
+        let of_wall = |row: usize, rate: f64| {
+            let weight = self.sums[row].weight;
+            if weight <= 0.0 || !(pull || particles.pressure[row] > 0.0) {
+                return None;
+            }
+            let edge = self.edge(particles, row, time).filter(|_| pull);
+            let passing = edge.map_or(0.0, |edge| edge.passing(particles.velocity[row]));
+            Some((rate + passing) / weight)
+        };
+        compression.complete(pairs, particles, &self.rows, of_wall, rates);
+        self.compression = compression;
+    }
+
+    /// Finds what the fluid near walls is like.
+    fn look(&mut self, pairs: &mut Pairs<D>, particles: &Particles<D>) {
+        let is_wall = &self.is_wall;
+        let near_wall = |rows: std::ops::Range<usize>| {
+            (particles.body[rows].iter()).any(|&body| is_wall.get(usize::from(body)) == Some(&true))
+        };
+        let near = Extrapolation { is_wall };
+        pairs.sweep(&near, particles, near_wall, &mut self.sums);
+    }
+
+    /// The edge of the fluid at a row of a wall, as of the last look.
+    fn edge(&self, particles: &Particles<D>, row: usize, time: f64) -> Option<Edge<D>> {
+        let mut normal = self.normal[particles.id[row] as usize];
+        if let Some(moved) = self.moved(particles, row, time) {
+            let wall = &self.walls[self.wall_of(particles, row)?];
+            let start = self.start[particles.id[row] as usize];
+            normal = wall.motion.at(start + normal, time).position - moved.position;
+        }
+        Edge::new(&self.sums[row], normal)
+    }
+
+    /// Keeps the pressure of walls from what it does along them at the edge of the fluid: on the fluid in rows that
+    /// `near` holds for, and on the walls.
+    pub(crate) fn slide(
+        &mut self,
+        pairs: &mut Pairs<D>,
+        particles: &Particles<D>,
+        near: impl Fn(std::ops::Range<usize>) -> bool + Sync,
+        acceleration: &mut [Vector<f64, D>],
+    ) {
+        if self.is_empty() {
+            return;
+        }
+        let mut kept = std::mem::take(&mut self.kept);
+        kept.clear();
+        kept.resize(particles.len(), Vector::ZERO);
+        for &row in &self.rows {
+            let row = row as usize;
+            if let Some(edge) = self.edge(particles, row, self.time) {
+                kept[row] = edge.kept(particles.pressure[row], particles.volume(row));
+                acceleration[row] += kept[row] * (edge.weight() / particles.mass[row]);
+            }
+        }
+        let mut shares = std::mem::take(&mut self.shares);
+        pairs.sweep(&Shared { of: &kept }, particles, near, &mut shares);
+        for (row, share) in shares.iter().enumerate() {
+            if !self.is_wall(particles.body[row]) {
+                acceleration[row] -= *share * (1.0 / particles.mass[row]);
+            }
+        }
+        self.kept = kept;
+        self.shares = shares;
     }
 
     /// Puts the particles where they are at `time`, s, with their velocities.
@@ -205,16 +292,7 @@ impl<const D: usize> Walls<D> {
         self.time = time;
         self.loads.fill(WallLoad::default());
         self.power = 0.0;
-        let is_wall = &self.is_wall;
-        let near_wall = |rows: std::ops::Range<usize>| {
-            (particles.body[rows].iter()).any(|&body| is_wall.get(usize::from(body)) == Some(&true))
-        };
-        pairs.sweep(
-            &Extrapolation { is_wall },
-            particles,
-            near_wall,
-            &mut self.sums,
-        );
+        self.look(pairs, particles);
         for &row in &self.rows {
             let row = row as usize;
             let sum = &self.sums[row];

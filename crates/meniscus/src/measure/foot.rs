@@ -24,11 +24,20 @@ pub struct Foot {
     pub place: Estimate,
 }
 
+/// How far the surface lies outside of the profile, m, and by how much that may be wrong, its 95 % interval.
+#[derive(Clone, Copy)]
+pub struct Shift {
+    /// m
+    pub outwards: f64,
+    /// m
+    pub unknown: f64,
+}
+
 impl Foot {
-    /// By a parabola over the straight line along the outermost particle centres near the wall, x growing
+    /// By a parabola over the straight line along points of the surface near the wall, x growing
     /// towards the outside of the liquid. `None` for fewer than five, or none that meets the wall, whose
     /// curvature is in 1/m.
-    pub fn fit(near: &[[f64; 2]], spacing: f64, wall_curvature: f64) -> Option<Self> {
+    pub fn fit(near: &[[f64; 2]], shift: Shift, wall_curvature: f64) -> Option<Self> {
         let freedom = near.len().checked_sub(3).filter(|&n| n >= 2)?;
         let count = near.len() as f64;
         let mean = |d: usize| near.iter().map(|p| p[d]).sum::<f64>() / count;
@@ -57,10 +66,9 @@ impl Foot {
         let right = DVector::from_fn(turned.len(), |i, _| turned[i][1]);
         let (curve, inverse) = solve(&matrix, &right)?;
         let left = (&matrix * &curve - right).norm_squared() / freedom as f64;
-        let depth = DEPTH * spacing;
         // A place of the parabola, and its direction.
         let at = |s: f64| {
-            let y = curve[0] + s * (curve[1] + s * curve[2]) + depth;
+            let y = curve[0] + s * (curve[1] + s * curve[2]) + shift.outwards;
             let slope = curve[1] + 2.0 * s * curve[2];
             (
                 [middle[0] + s * cos + y * sin, middle[1] + s * sin - y * cos],
@@ -92,7 +100,7 @@ impl Foot {
             },
             place: Estimate {
                 value: place[0],
-                half_width: spread([1.0, s, s * s]).hypot(DEPTH_UNKNOWN * spacing) * up[1].abs()
+                half_width: spread([1.0, s, s * s]).hypot(shift.unknown) * up[1].abs()
                     / angle.sin().abs(),
             },
         };

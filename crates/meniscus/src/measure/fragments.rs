@@ -1,6 +1,6 @@
 //! Pieces that a body has broken into, and how far two bodies are mixed.
 
-use super::cells::Cells;
+use crate::cells::Cells;
 use crate::vector::Vector;
 
 /// For each particle the piece that it belongs to. Two particles nearer than `reach` (m) are of

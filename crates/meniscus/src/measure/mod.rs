@@ -25,7 +25,6 @@
 
 mod bag;
 mod base;
-mod cells;
 mod circle;
 mod compression_energy;
 mod contact_angle;
@@ -37,6 +36,7 @@ mod fit_error;
 mod foot;
 mod fragments;
 mod jet;
+mod level;
 mod meniscus;
 mod oscillation;
 mod outline;

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
 
 use super::base::Base;
-use super::cells::Cells;
+use crate::cells::Cells;
 use crate::vector::Vector;
 
 /// How far neighbours are looked for, in spacings: no distance of a lattice.

@@ -117,6 +117,8 @@ impl<const D: usize> Rates<D> {
             }
             _ => None,
         };
+        let tension = wall_tension(&scheme, &fluids);
+        let walls = Walls::new(&scheme.walls, particles, tension, spacing, &pairs.domain());
         Self {
             at_surface,
             pull,
@@ -130,7 +132,7 @@ impl<const D: usize> Rates<D> {
             pilot: Pilot::default(),
             grad_h: GradH::default(),
             equations_of_state: fluids.iter().map(Tait::new).collect(),
-            walls: Walls::new(&scheme.walls, particles, wall_tension(&scheme, &fluids)),
+            walls,
             one_mass: first.filter(|_| same && fluids.len() == 1),
             scheme,
             fluids,
@@ -174,6 +176,7 @@ impl<const D: usize> Rates<D> {
         }
         self.push_by_grad_h(particles, &mut acceleration);
         if let Some(sigma) = sigma {
+            self.slide(particles, &mut acceleration);
             self.add_capillary_pressure(sigma, particles, &mut acceleration);
         }
         self.walls.bear(particles, &mut acceleration);

@@ -200,6 +200,14 @@ impl<const D: usize> Rates<D> {
         Some(sigma)
     }
 
+    /// Keeps the pressure of walls, p - q, from what it does along them at contact lines.
+    pub(super) fn slide(&mut self, particles: &Particles<D>, acceleration: &mut [Vector<f64, D>]) {
+        let surface = &self.surface;
+        let near = |rows| Order::is_beside_wall(surface, rows);
+        self.walls
+            .slide(&mut self.pairs, particles, near, acceleration);
+    }
+
     /// Adds capillary pressure to what density gives, p - q, and what walls bear of it to their accelerations, m/s^2.
     pub(super) fn add_capillary_pressure(
         &mut self,

@@ -4,6 +4,7 @@
 mod common;
 
 mod drops;
+mod edge;
 mod momentum;
 mod swing;
 mod wetting;

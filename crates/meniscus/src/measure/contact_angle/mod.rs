@@ -11,10 +11,18 @@ use super::base::Base;
 use super::centre_of_mass;
 use super::circle::Circle;
 use super::estimate::{Estimate, student_t};
-use super::foot::{DEPTH, DEPTH_UNKNOWN, Foot};
+use super::foot::{DEPTH, Foot, Shift};
 use super::fragments::fragments;
+use super::level::{depth, surface_points};
 use super::surface::surface_particles;
 
+/// How high above the wall the surface is used, in spacings.
+const LOWEST: f64 = 1.5;
+/// What the place of the surface may be off, in spacings: a 95 % interval.
+const UNKNOWN: f64 = 0.2;
+const UNKNOWN_AT_FOOT: f64 = 0.3;
+/// And what that of the wall may be, from which the first particles are half a spacing away but for disorder.
+const WALL_UNKNOWN: f64 = 0.1;
 /// How thick the layer beside the wall is, in spacings.
 const LAYER: f64 = 0.75;
 /// How far from the contact line the local fit reaches: so many spacings, and up to these parts of
@@ -53,12 +61,13 @@ impl DropOnWall {
     /// Measures particles about `spacing` (m) apart that form one drop on `wall`; `None` where they
     /// show too little of a surface for a fit, or lie in pieces.
     ///
-    /// Of drops at least eight spacings high, cut from lattices at any angle with and without
-    /// disorder, `circle` finds 10 to 150 degrees within 1.5 degrees. `circle_radius` is good to
-    /// 0.8 spacings, `wetted_radius` to one, at 10 degrees to two. `tangent` has only the points within ten
+    /// The surface is a level set of the liquid's smoothed colour, whatever the order of the particles. Of drops at least eight spacings
+    /// high, cut from lattices at any angle with and without
+    /// disorder, `circle` finds 10 to 150 degrees within 1.2 degrees. `circle_radius` is good to
+    /// 0.6 spacings, `wetted_radius` to one, at 10 degrees to two and a half. `tangent` has only the points within ten
     /// spacings of the contact line and those of the lower outer profile: in 2D it is within
     /// 8 degrees (16 above 90), in 3D within 5; averages over time do better. Intervals are those
-    /// of the fits, with 0.2 spacings for where the surface lies outside the particles. The
+    /// of the fits, with 0.2 spacings for where the surface lies and 0.1 for the wall. The
     /// height is good to half a spacing. On round walls of twenty spacings or more it is the same, but for
     /// `tangent`, within 12 degrees at 90 in 2D.
     pub fn measure<const D: usize>(
@@ -73,17 +82,16 @@ impl DropOnWall {
             return None;
         }
         let centre = centre_of_mass(positions, masses)?;
-        let surface: Vec<_> = surface_particles(positions, spacing, std::slice::from_ref(wall))
-            .into_iter()
-            .map(|i| positions[i])
-            .filter(|&x| wall.height(x) > spacing)
-            .collect();
+        let outer = surface_particles(positions, spacing, std::slice::from_ref(wall));
+        let mut surface = surface_points(positions, masses, spacing, wall, &outer);
+        surface.retain(|&x| wall.height(x) > LOWEST * spacing);
         let circle = Circle::fit(&surface)?;
         // A liquid that wets a vessel has a hollow surface: all of it lies outside of the circle.
         let within = |x: &&Vector<f64, D>| (**x - circle.centre).norm() < circle.radius;
         let bulges = 2 * positions.iter().filter(within).count() >= positions.len();
         let sign = if bulges { 1.0 } else { -1.0 };
-        let radius = sign * circle.radius + DEPTH * spacing;
+        let deep = depth((D as f64 - 1.0) * sign / circle.radius, spacing);
+        let radius = sign * circle.radius + deep;
         // With the centre's height H above a wall of curvature k, by the triangle of both centres and
         // the contact line: cos(angle) = -H / R + k (R^2 - H^2) / (2 R).
         let (rise, bend) = (wall.height(circle.centre), wall.curvature());
@@ -101,10 +109,10 @@ impl DropOnWall {
         });
         let variance = (sensitivity.transpose() * &circle.covariance * &sensitivity)[0];
         let lever = (radius * angle.sin()).abs();
-        let depth = DEPTH_UNKNOWN * spacing * by_radius;
+        let unknown = (UNKNOWN * by_radius).hypot(WALL_UNKNOWN * (1.0 + bend * rise)) * spacing;
         let by_circle = Estimate {
             value: angle,
-            half_width: (student_t(circle.freedom.max(4) as f64) * variance.sqrt()).hypot(depth)
+            half_width: (student_t(circle.freedom.max(4) as f64) * variance.sqrt()).hypot(unknown)
                 / lever,
         };
 
@@ -140,7 +148,11 @@ impl DropOnWall {
             }
         }
         let tops = surface.iter().map(|&x| wall.height(x));
-        let height = tops.fold(0.0, f64::max) + DEPTH * spacing;
+        let height = tops.fold(0.0, f64::max) + deep;
+        let shift = Shift {
+            outwards: deep,
+            unknown: UNKNOWN_AT_FOOT * spacing,
+        };
         let foot = |(profile, outermost): (&Vec<([f64; 2], f64)>, [f64; 2])| {
             let near = |([x, y], above): &&([f64; 2], f64)| {
                 let distance = (x - outermost[0]).hypot(y - outermost[1]);
@@ -148,7 +160,7 @@ impl DropOnWall {
                     || (*above < LOCAL_HEIGHT * height && distance < LOCAL_RADIUS * outermost[0])
             };
             let near: Vec<_> = (profile.iter().filter(near).map(|(place, _)| *place)).collect();
-            let found = Foot::fit(&near, spacing, bend);
+            let found = Foot::fit(&near, shift, bend);
             let found = found.filter(|f| (f.place.value - outermost[0]).abs() < ASTRAY * spacing);
             found.unwrap_or(Foot {
                 angle: Estimate {

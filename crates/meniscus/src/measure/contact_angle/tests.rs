@@ -56,14 +56,14 @@ fn assert_right(
 ) {
     let (circle, tangent) = (found.circle, found.tangent);
     let off = circle.value.to_degrees() - degrees;
-    assert!(off.abs() < 1.5, "{shown}");
+    assert!(off.abs() < 1.2, "{shown}");
     assert!(off.abs() < 2.0 * circle.half_width.to_degrees(), "{shown}");
     assert!(
         (tangent.value.to_degrees() - degrees).abs() < local,
         "{shown}"
     );
     let at_circle = (found.circle_radius - radius).abs();
-    assert!(at_circle < 0.8, "{at_circle}: {shown}");
+    assert!(at_circle < 0.6, "{at_circle}: {shown}");
     let wide = (found.wetted_radius.value - radius).abs();
     assert!(
         wide < 1.0 || wide < found.wetted_radius.half_width,

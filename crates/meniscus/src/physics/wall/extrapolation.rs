@@ -18,6 +18,8 @@ record! {
     pub struct Source<R, D> {
         /// 1 for fluid
         weight: R,
+        /// V, m^D
+        volume: R,
         /// p, Pa
         pressure: R,
         /// rho, kg/m^3
@@ -40,6 +42,8 @@ record! {
         arm: Vector<R, D>,
         /// sum v W
         velocity: Vector<R, D>,
+        /// sum V grad W, 1/m
+        filling: Vector<R, D>,
     }
 }
 
@@ -52,6 +56,7 @@ impl<const D: usize> PairTerm<D> for Extrapolation<'_> {
         let weight = if wall { 0.0 } else { 1.0 };
         Source {
             weight,
+            volume: weight * particles.volume(i),
             pressure: weight * particles.pressure[i],
             density: weight * particles.density[i],
             velocity: particles.velocity[i] * weight,
@@ -71,5 +76,6 @@ impl<const D: usize> PairTerm<D> for Extrapolation<'_> {
         sum.head += ij.offset * (j.density * ij.w);
         sum.arm += ij.offset * (j.weight * ij.w);
         sum.velocity += j.velocity * ij.w;
+        sum.filling += ij.grad_w * j.volume;
     }
 }

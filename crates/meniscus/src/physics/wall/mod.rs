@@ -25,16 +25,19 @@
 //! - `extrapolation`: the sums above
 //! - `compression`: what walls do to the density of the fluid
 //! - `walled`: the material of a flow with walls
+//! - `facing`: which way walls face
 //! - `layout`: where wall particles lie
 
 mod compression;
 mod extrapolation;
+mod facing;
 pub mod layout;
 mod motion;
 mod walled;
 
-pub use compression::Compression;
+pub use compression::{Compression, Edge, Shared};
 pub use extrapolation::{Extrapolation, Neighbourhood};
+pub use facing::normals;
 pub use motion::{Motion, Moved};
 pub use walled::Walled;
 

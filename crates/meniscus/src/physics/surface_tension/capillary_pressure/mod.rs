@@ -16,12 +16,15 @@
 //! Pressure comes by the equation of state as p - q: a drop at rest is not compressed by its surface, and starts at rest.
 //!
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
-//! other (`closeness`). Beside walls they are also put in order, and density settles at contact lines (`order`); and one that comes nearer to a wall than half a spacing,
+//! other (`closeness`). Beside walls they are also put in order (`order`); and one that comes nearer to a wall than half a spacing,
 //! C_w > 1/3, is pushed off by 32 sigma / dx^2 (C_w - 1/3) per volume: by the smooth field of the wall's colour, along which nothing holds it.
 //! Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
-//! Walls take the pressure p - q of the liquid beside them, and bear q as well (`load`). The pull of
-//! a contact line on its wall is not part of the wall's load, nor what the gradient on the mesh differs by from sums over pairs.
+//! Walls take the pressure p - q of the liquid beside them, and bear q as well (`load`), their push and the pull of contact lines
+//! (`reaction`). What the gradient on the mesh differs by from sums over pairs is nowhere.
+//!
+//! Nothing but these holds a contact line: what the pressure p - q of a half wet wall does along it is taken off
+//! ([`Edge`](crate::physics::wall::Edge)).
 //!
 //! - `nodes`: kappa; `normals`: which way the surface faces, beside walls too; `facing`: which way walls do; `even`: means that keep what they mean
 
@@ -34,6 +37,7 @@ mod load;
 mod nodes;
 mod normals;
 mod order;
+mod reaction;
 
 pub use closeness::Closeness;
 pub use load::Load;
@@ -42,12 +46,13 @@ pub use order::Order;
 use rayon::prelude::*;
 
 use super::bodies::balance;
-use super::mesh::{Layered, Surroundings};
+use super::mesh::{Layered, Mesh, Surroundings};
 use super::surface::Surface;
 use crate::particles::Particles;
 use crate::vector::Vector;
 use nodes::{MARGIN, Nodes, PERIODIC_MARGIN, WALLED_MARGIN};
 use order::Place;
+use reaction::Reaction;
 
 /// The model; it has no parameter.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -76,6 +81,7 @@ pub(super) struct Scratch<const D: usize> {
     nodes: Nodes<D>,
     held: Vec<u32>,
     felt: Vec<Felt<D>>,
+    reaction: Reaction<D>,
     /// Of all rows.
     places: Vec<Place<D>>,
 }
@@ -85,9 +91,11 @@ pub(super) struct Scratch<const D: usize> {
 struct Felt<const D: usize> {
     /// kappa, 1/m
     curvature: f64,
-    /// Per volume, N/m^3; none on walls.
+    /// On liquid, per volume, N/m^3.
     force: Vector<f64, D>,
     place: Place<D>,
+    /// The part of `force` by which a wall pushes, and the colour of that wall.
+    push: (Vector<f64, D>, f64),
     /// Colour and its gradient, 1/m, near the surface.
     at_surface: Option<(f64, Vector<f64, D>)>,
 }
@@ -168,7 +176,9 @@ impl<const D: usize> Scratch<D> {
                 let (wall, towards) = mesh.feel_at(wall, x);
                 felt.place = Place::beside_walls(mesh.feel_at(deep, x), wall);
                 let push = WALL_STIFFNESS * (wall - AT_WALL).max(0.0) * sigma / spacing.powi(2);
-                felt.force -= towards * (push / towards.norm().max(f64::MIN_POSITIVE));
+                let push = towards * (-push / towards.norm().max(f64::MIN_POSITIVE));
+                felt.force += push;
+                felt.push = (push, wall);
             }
             if nodes.colour[mesh.nearest(x)] < INSIDE {
                 let (colour, inward) = mesh.feel_at(&nodes.colour, x);
@@ -191,6 +201,46 @@ impl<const D: usize> Scratch<D> {
                 surface.active += 1;
                 surface.colour[i] = colour;
                 surface.normal[i] = inward;
+            }
+        }
+        self.load_walls(&mesh, particles, surroundings, margin, &mut surface.force);
+    }
+
+    /// Gives walls what they bear of the fields' forces, as a force per volume.
+    fn load_walls(
+        &mut self,
+        mesh: &Mesh<D>,
+        particles: &Particles<D>,
+        surroundings: &Surroundings<'_, D>,
+        margin: i64,
+        force: &mut [Vector<f64, D>],
+    ) {
+        let Some([wall, _]) = self.nodes.beside_walls() else {
+            return;
+        };
+        let reaction = &mut self.reaction;
+        let tension = surroundings.surface_tension * surroundings.spacing.powi(D as i32 - 2);
+        reaction.start(self.nodes.lines(), wall, tension);
+        for (&row, felt) in self.held.iter().zip(&self.felt) {
+            let (push, wall) = felt.push;
+            if push != Vector::ZERO {
+                let i = row as usize;
+                let push = push * particles.volume(i);
+                surroundings.for_each_image(particles.position[i], margin, &mut |x| {
+                    if mesh.holds(&x) {
+                        reaction.add(mesh, &x, push, wall);
+                    }
+                });
+            }
+        }
+        if !reaction.finish(mesh) {
+            return;
+        }
+        for &row in &self.held {
+            let i = row as usize;
+            if (surroundings.wall)(i).is_some() {
+                let on_wall = reaction.on_wall(mesh, &particles.position[i]);
+                force[i] = on_wall * (1.0 / particles.volume(i));
             }
         }
     }

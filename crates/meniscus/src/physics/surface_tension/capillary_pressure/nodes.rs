@@ -42,7 +42,7 @@ use super::order;
 use crate::vector::Vector;
 
 /// Passes of smoothing of the colour, and of the curvature.
-const PASSES: usize = 2;
+pub(super) const PASSES: usize = 2;
 /// Nodes that a mesh reaches beyond its particles: colour reaches four. The colour of a wall goes on beyond a contact line, and
 /// is to be right up to four nodes from there. Beyond a periodic face there are more of them,
 /// whose curvature is smoothed into that of the last.
@@ -97,6 +97,7 @@ pub(super) struct Nodes<const D: usize> {
     pull: Vec<f64>,
     /// Where there are walls.
     line: Vec<f64>,
+    lines: Vec<Vector<f64, D>>,
     /// S [g s], and of w
     surface: Vec<f64>,
     smooth_weight: Vec<f64>,
@@ -164,6 +165,11 @@ impl<const D: usize> Nodes<D> {
         (!self.wall.is_empty()).then_some([&self.wall, &self.deep])
     }
 
+    /// The force on contact lines, of sigma: as in [`reaction`](super::reaction).
+    pub fn lines(&self) -> &[Vector<f64, D>] {
+        &self.lines
+    }
+
     /// The surface, its curvature times that, and the contact line.
     fn weigh(&mut self, mesh: &Mesh<D>) {
         self.open.clear();
@@ -179,6 +185,7 @@ impl<const D: usize> Nodes<D> {
             weight,
             pull,
             line,
+            lines,
             ..
         } = self;
         let (colour, facing, normals) = (&*colour, &*facing, &*normals);
@@ -211,9 +218,12 @@ impl<const D: usize> Nodes<D> {
                 }
             }
         });
+        lines.clear();
+        lines.resize(line.len(), Vector::ZERO);
+        let parts = line.par_chunks_mut(nodes).zip(lines.par_chunks_mut(nodes));
         // Differences of s as those of n, or their sum would depend on where nodes lie.
-        (line.par_chunks_mut(nodes).enumerate()).for_each(|(task, line)| {
-            for (k, line) in line.iter_mut().enumerate() {
+        parts.enumerate().for_each(|(task, (line, lines))| {
+            for (k, (line, pull)) in line.iter_mut().zip(lines).enumerate() {
                 let i = task * nodes + k;
                 let Some(surface) = surface(i) else {
                     continue;
@@ -225,7 +235,11 @@ impl<const D: usize> Nodes<D> {
                     let bend = facing.bend(mesh, wall, i, unit(n - into * met));
                     let more = facing::before(wall[i], VARIANCE) * bend * met;
                     let cosine = wetting[i] / wall[i].max(f64::MIN_POSITIVE);
-                    *line = surface * (n + into * (more - cosine)).dot(&towards);
+                    let across = n.dot(&towards);
+                    let own = across + into.dot(&towards) * (more - cosine);
+                    *line = surface * own;
+                    let true_area = surface / normals::sine(met);
+                    *pull = (towards + n * (own - across)) * true_area;
                 }
             }
         });

@@ -55,7 +55,8 @@ fn own(wall: f64) -> f64 {
     fading(wall, OWN)
 }
 
-fn sine(cosine: f64) -> f64 {
+/// Of the angle at which a surface meets a wall.
+pub(super) fn sine(cosine: f64) -> f64 {
     (1.0 - cosine * cosine).max(0.0).sqrt().max(LEAST_RISE)
 }
 

@@ -11,11 +11,6 @@
 //! it up to D = 0.9. It is D which tells, since the surface of the colour itself runs along the wall under a foot of one particle,
 //! whose shifts would draw it out, and around voids, which shifts are to close.
 //!
-//! At a contact line, on the surface as D tells it and up to C_w = 0.1 before the wall, density settles to rho_0 at a rate of 0.5 u / dx: the condition
-//! p - q = 0 of a free surface. Each time that a contact line moves on, the wall before it, which sees liquid come and none go, compresses the
-//! particles there (continuity is the adjoint of the wall's pressure); what is left of it would hold the line off its angle. Elsewhere
-//! density must remember what it was: settled all over the surface, liquid gathers there, and voids open inside.
-//!
 //! In two dimensions reach = 1.5 dx and e_0 = 0.15, in three 2 dx and 0.1. Velocities stay, and momentum with them. Free bodies need
 //! no such order, and get none.
 
@@ -29,10 +24,6 @@ use crate::vector::Vector;
 const PACE: f64 = 0.1;
 /// Passes of smoothing from the colour to D.
 pub(super) const PASSES: usize = 4;
-/// Rate at which density settles at a contact line, u / dx.
-const SETTLING: f64 = 0.5;
-/// Colour of a wall from which on a particle is beside it: those of the first two rows.
-const BESIDE: f64 = 0.1;
 /// D between which the surface ends.
 const SURFACE: [f64; 2] = [0.75, 0.9];
 
@@ -55,8 +46,8 @@ pub(super) struct Place<const D: usize> {
     surface: f64,
     /// The direction of grad D.
     inward: Vector<f64, D>,
-    /// 1 beside a wall, 0 far from it.
-    beside: f64,
+    /// Whether a wall is near.
+    beside: bool,
 }
 
 impl<const D: usize> Place<D> {
@@ -67,7 +58,7 @@ impl<const D: usize> Place<D> {
             held: true,
             surface: 1.0 - ((deep - from) / (to - from)).clamp(0.0, 1.0),
             inward: inward * (1.0 / inward.norm().max(f64::MIN_POSITIVE)),
-            beside: (wall / BESIDE).clamp(0.0, 1.0),
+            beside: wall > 0.0,
         }
     }
 }
@@ -79,21 +70,14 @@ pub struct Order {
     reach: f64,
     /// Largest speed of shifting, m/s.
     pace: f64,
-    /// Rate of settling, 1/s.
-    settling: f64,
-    /// rho_0, kg/m^3
-    density: f64,
 }
 
 impl Order {
     /// Of a surface tension in N/m, a density at rest in kg/m^3 and a spacing in m.
     pub fn new<const D: usize>(surface_tension: f64, density: f64, spacing: f64) -> Self {
-        let pace = (surface_tension / (density * spacing)).sqrt();
         Self {
             reach: reach(D) * spacing,
-            pace: PACE * pace,
-            settling: SETTLING * pace / spacing,
-            density,
+            pace: PACE * (surface_tension / (density * spacing)).sqrt(),
         }
     }
 
@@ -106,7 +90,16 @@ impl Order {
         rows.any(|row| places[row].held)
     }
 
-    /// Shifts particles by `uneven`, their e, and settles the density of those at a contact line, for `dt` seconds.
+    /// Whether any of these rows is of liquid beside a wall, as of the last find.
+    pub(crate) fn is_beside_wall<const D: usize>(
+        surface: &Surface<D>,
+        mut rows: std::ops::Range<usize>,
+    ) -> bool {
+        let places = &surface.capillary_pressure.places;
+        rows.any(|row| places[row].beside)
+    }
+
+    /// Shifts particles by `uneven`, their e, for `dt` seconds.
     pub(crate) fn restore<const D: usize>(
         &self,
         surface: &Surface<D>,
@@ -116,8 +109,6 @@ impl Order {
     ) {
         let places = &surface.capillary_pressure.places;
         for (row, place) in places.iter().enumerate().filter(|(_, place)| place.held) {
-            let settled = place.surface * place.beside * (self.settling * dt).min(1.0);
-            particles.density[row] += settled * (self.density - particles.density[row]);
             let mut way = uneven[row];
             way -= place.inward * (place.surface * place.inward.dot(&way));
             let length = way.norm();

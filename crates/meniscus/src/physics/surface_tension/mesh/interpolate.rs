@@ -46,4 +46,17 @@ impl<const D: usize> Mesh<D> {
         }
         (value, Vector(gradient) * (1.0 / self.spacing))
     }
+
+    /// The value of a field of vectors at one point.
+    pub fn feel_vector_at(&self, of: &[Vector<f64, D>], x: &Vector<f64, D>) -> Vector<f64, D> {
+        let at = self.touched(x);
+        let mut sum = Vector::ZERO;
+        for k in 0..4_usize.pow(D as u32 - 1) {
+            let (start, weight) = self.row(&at, k, |d| &at.values[d]);
+            for (node, value) in of[start..start + 4].iter().zip(at.values[D - 1]) {
+                sum += *node * (weight * value);
+            }
+        }
+        sum
+    }
 }

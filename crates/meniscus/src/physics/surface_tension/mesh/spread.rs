@@ -1,5 +1,7 @@
 //! What particles spread on a mesh.
 
+use std::ops::{AddAssign, Mul};
+
 use rayon::prelude::*;
 
 use super::{LAYERS_PER_TASK, Mesh};
@@ -36,6 +38,20 @@ impl<const D: usize> Mesh<D> {
             seconds
                 .enumerate()
                 .for_each(|(task, field)| work(task, field, 1));
+        }
+    }
+
+    /// Adds one point's spline to a field.
+    pub fn spread_at<T>(&self, field: &mut [T], x: &Vector<f64, D>, amount: T)
+    where
+        T: Copy + AddAssign + Mul<f64, Output = T>,
+    {
+        let at = self.touched(x);
+        for k in 0..4_usize.pow(D as u32 - 1) {
+            let (start, weight) = self.row(&at, k, |d| &at.values[d]);
+            for (node, value) in field[start..start + 4].iter_mut().zip(at.values[D - 1]) {
+                *node += amount * (weight * value);
+            }
         }
     }
 

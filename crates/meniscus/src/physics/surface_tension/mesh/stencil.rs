@@ -1,5 +1,7 @@
 //! Differences of a field on a mesh, and its smoothing.
 
+use std::ops::{Add, Mul};
+
 use rayon::prelude::*;
 
 use super::Mesh;
@@ -32,8 +34,11 @@ impl<const D: usize> Mesh<D> {
 
     /// Passes of 1/4, 1/2, 1/4 along each axis: each adds half a squared spacing to the variance
     /// of what was spread. It must not reach the edge, where values stay.
-    pub fn smooth(&self, values: &mut Vec<f64>, spare: &mut Vec<f64>, passes: usize) {
-        spare.resize(values.len(), 0.0);
+    pub fn smooth<T>(&self, values: &mut Vec<T>, spare: &mut Vec<T>, passes: usize)
+    where
+        T: Copy + Default + Send + Sync + Add<Output = T> + Mul<f64, Output = T>,
+    {
+        spare.resize(values.len(), T::default());
         let (nodes, inner) = (self.nodes_per_task(), self.inner());
         for axis in 0..D {
             let s = self.stride[axis];
@@ -44,7 +49,7 @@ impl<const D: usize> Mesh<D> {
                     to.copy_from_slice(&from[first..first + to.len()]);
                     let (low, high) = (inner.start.max(first), inner.end.min(first + to.len()));
                     for i in low..high {
-                        to[i - first] = 0.5 * from[i] + 0.25 * (from[i - s] + from[i + s]);
+                        to[i - first] = from[i] * 0.5 + (from[i - s] + from[i + s]) * 0.25;
                     }
                 });
                 std::mem::swap(values, spare);

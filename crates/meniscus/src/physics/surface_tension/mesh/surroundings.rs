@@ -65,7 +65,7 @@ impl<const D: usize> Surroundings<'_, D> {
     }
 
     /// Calls for a point and its periodic images within `margin` spacings of the box.
-    fn for_each_image(
+    pub(in crate::physics::surface_tension) fn for_each_image(
         &self,
         x: Vector<f64, D>,
         margin: i64,

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::vector::Vector;
 
 /// Points by the cell they lie in.
-pub(super) struct Cells<const D: usize> {
+pub(crate) struct Cells<const D: usize> {
     reach: f64,
     points: HashMap<[i64; D], Vec<(usize, Vector<f64, D>)>>,
 }
