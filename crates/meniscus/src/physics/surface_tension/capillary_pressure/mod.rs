@@ -221,16 +221,18 @@ impl<const D: usize> Scratch<D> {
         let reaction = &mut self.reaction;
         let tension = surroundings.surface_tension * surroundings.spacing.powi(D as i32 - 2);
         reaction.start(self.nodes.lines(), wall, tension);
+        let reach = margin as f64 * surroundings.spacing;
         for (&row, felt) in self.held.iter().zip(&self.felt) {
             let (push, wall) = felt.push;
             if push != Vector::ZERO {
                 let i = row as usize;
                 let push = push * particles.volume(i);
-                surroundings.for_each_image(particles.position[i], margin, &mut |x| {
+                let mut add = |x| {
                     if mesh.holds(&x) {
                         reaction.add(mesh, &x, push, wall);
                     }
-                });
+                };
+                (surroundings.groups.domain).for_each_image(particles.position[i], reach, &mut add);
             }
         }
         if !reaction.finish(mesh) {

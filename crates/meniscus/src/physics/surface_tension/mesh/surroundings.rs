@@ -3,7 +3,6 @@
 use super::{Layered, Mesh};
 use crate::particles::Particles;
 use crate::physics::surface_tension::bodies::Bodies;
-use crate::vector::Vector;
 
 /// One fluid with a free surface, and walls.
 pub struct Surroundings<'a, const D: usize> {
@@ -49,43 +48,16 @@ impl<const D: usize> Surroundings<'_, D> {
         liquid.clear();
         walls.clear();
         let volume = self.density * self.spacing.powi(D as i32);
+        let reach = margin as f64 * self.spacing;
         for row in rows {
             let i = *row as usize;
-            self.for_each_image(
-                particles.position[i],
-                margin,
-                &mut |x| match (self.wall)(i) {
-                    _ if !mesh.holds(&x) => {}
-                    None => liquid.push(x, [particles.mass[i] / volume, 0.0]),
-                    Some(cosine) => walls.push(x, [1.0, cosine]),
-                },
-            );
+            let mut put = |x| match (self.wall)(i) {
+                _ if !mesh.holds(&x) => {}
+                None => liquid.push(x, [particles.mass[i] / volume, 0.0]),
+                Some(cosine) => walls.push(x, [1.0, cosine]),
+            };
+            (self.groups.domain).for_each_image(particles.position[i], reach, &mut put);
         }
         Some(mesh)
-    }
-
-    /// Calls for a point and its periodic images within `margin` spacings of the box.
-    pub(in crate::physics::surface_tension) fn for_each_image(
-        &self,
-        x: Vector<f64, D>,
-        margin: i64,
-        call: &mut impl FnMut(Vector<f64, D>),
-    ) {
-        let periodic = &self.groups.domain.periodic;
-        let reach = margin as f64 * self.spacing;
-        let on_either_side =
-            periodic.map(|axis| axis.map_or(0, |(low, high)| (reach / (high - low)).ceil() as i64));
-        let choices = on_either_side.map(|count| 2 * count + 1);
-        for combination in 0..choices.iter().product() {
-            let (mut rest, mut image) = (combination, x);
-            for d in 0..D {
-                let shift = rest % choices[d] - on_either_side[d];
-                rest /= choices[d];
-                if let Some((low, high)) = periodic[d] {
-                    image[d] += shift as f64 * (high - low);
-                }
-            }
-            call(image);
-        }
     }
 }

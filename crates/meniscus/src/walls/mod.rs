@@ -1,5 +1,14 @@
 //! The walls of a simulation on their way: where their particles are, what these take from
 //! the fluid before each force, and what the fluid exerts on them.
+//!
+//! - here: where they are, and what they take from the fluid
+//! - `edge`: what they do to its density, and do not do at its edge
+//! - `load`: what it exerts on them
+
+mod edge;
+mod load;
+
+pub use load::WallLoad;
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,21 +19,11 @@ use crate::particles::Particles;
 use crate::physics::equation_of_state::Tait;
 use crate::physics::surface_tension::balanced::Wetting;
 use crate::physics::wall::{
-    Adhesion, Bearing, Compression, Edge, Extrapolation, Motion, Moved, Neighbourhood, Shared,
-    Slip, Wall, Walled, normals,
+    Adhesion, Bearing, Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall,
+    Walled, normals,
 };
-use crate::simulation::Simulation;
 use crate::term::Sweep;
 use crate::vector::Vector;
-
-/// What the fluid exerts on one wall.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WallLoad {
-    /// Force, N; in 2D N/m, the third component zero.
-    pub force: [f64; 3],
-    /// Moment about the origin of coordinates, N m; in 2D N, the third component alone.
-    pub moment: [f64; 3],
-}
 
 /// The walls, and columns with an entry for each of their particles.
 #[derive(Debug, Default)]
@@ -163,34 +162,6 @@ impl<const D: usize> Walls<D> {
         self.place(pairs, particles, self.time + 0.5 * dt);
     }
 
-    /// Completes the rates that continuity has found, 1/s, by what walls do to the fluid: those that pull on it
-    /// whatever their pressure, and but for what moves along them at its edge.
-    pub(crate) fn compress(
-        &mut self,
-        pairs: &mut Pairs<D>,
-        particles: &Particles<D>,
-        pull: bool,
-        rates: &mut [f64],
-    ) {
-        if self.is_empty() {
-            return;
-        }
-        self.look(pairs, particles);
-        let mut compression = std::mem::take(&mut self.compression);
-        let time = self.time + 0.5 * self.step;
-        let of_wall = |row: usize, rate: f64| {
-            let weight = self.sums[row].weight;
-            if weight <= 0.0 || !(pull || particles.pressure[row] > 0.0) {
-                return None;
-            }
-            let edge = self.edge(particles, row, time).filter(|_| pull);
-            let passing = edge.map_or(0.0, |edge| edge.passing(particles.velocity[row]));
-            Some((rate + passing) / weight)
-        };
-        compression.complete(pairs, particles, &self.rows, of_wall, rates);
-        self.compression = compression;
-    }
-
     /// Finds what the fluid near walls is like.
     fn look(&mut self, pairs: &mut Pairs<D>, particles: &Particles<D>) {
         let is_wall = &self.is_wall;
@@ -199,50 +170,6 @@ impl<const D: usize> Walls<D> {
         };
         let near = Extrapolation { is_wall };
         pairs.sweep(&near, particles, near_wall, &mut self.sums);
-    }
-
-    /// The edge of the fluid at a row of a wall, as of the last look.
-    fn edge(&self, particles: &Particles<D>, row: usize, time: f64) -> Option<Edge<D>> {
-        let mut normal = self.normal[particles.id[row] as usize];
-        if let Some(moved) = self.moved(particles, row, time) {
-            let wall = &self.walls[self.wall_of(particles, row)?];
-            let start = self.start[particles.id[row] as usize];
-            normal = wall.motion.at(start + normal, time).position - moved.position;
-        }
-        Edge::new(&self.sums[row], normal)
-    }
-
-    /// Keeps the pressure of walls from what it does along them at the edge of the fluid: on the fluid in rows that
-    /// `near` holds for, and on the walls.
-    pub(crate) fn slide(
-        &mut self,
-        pairs: &mut Pairs<D>,
-        particles: &Particles<D>,
-        near: impl Fn(std::ops::Range<usize>) -> bool + Sync,
-        acceleration: &mut [Vector<f64, D>],
-    ) {
-        if self.is_empty() {
-            return;
-        }
-        let mut kept = std::mem::take(&mut self.kept);
-        kept.clear();
-        kept.resize(particles.len(), Vector::ZERO);
-        for &row in &self.rows {
-            let row = row as usize;
-            if let Some(edge) = self.edge(particles, row, self.time) {
-                kept[row] = edge.kept(particles.pressure[row], particles.volume(row));
-                acceleration[row] += kept[row] * (edge.weight() / particles.mass[row]);
-            }
-        }
-        let mut shares = std::mem::take(&mut self.shares);
-        pairs.sweep(&Shared { of: &kept }, particles, near, &mut shares);
-        for (row, share) in shares.iter().enumerate() {
-            if !self.is_wall(particles.body[row]) {
-                acceleration[row] -= *share * (1.0 / particles.mass[row]);
-            }
-        }
-        self.kept = kept;
-        self.shares = shares;
     }
 
     /// Puts the particles where they are at `time`, s, with their velocities.
@@ -393,28 +320,6 @@ impl<const D: usize> Walls<D> {
         }
     }
 
-    /// Takes what pairs exert on wall particles from their accelerations to the loads.
-    pub(crate) fn bear(&mut self, particles: &Particles<D>, acceleration: &mut [Vector<f64, D>]) {
-        for &row in &self.rows {
-            let row = row as usize;
-            let Some(wall) = self.wall_of(particles, row) else {
-                continue;
-            };
-            let a = std::mem::take(&mut acceleration[row]);
-            let force = (a * particles.mass[row]).to_3d();
-            let x = particles.position[row].to_3d();
-            if let Some(moved) = self.moved(particles, row, self.time) {
-                self.power -= particles.mass[row] * a.dot(&moved.velocity);
-            }
-            let load = &mut self.loads[wall];
-            for d in 0..3 {
-                let (e, f) = ((d + 1) % 3, (d + 2) % 3);
-                load.force[d] += force[d];
-                load.moment[d] += x[e] * force[f] - x[f] * force[e];
-            }
-        }
-    }
-
     /// Takes the walls out of what moves, or accelerates, all particles.
     pub(crate) fn keep(&self, column: &mut [Vector<f64, D>]) {
         for &row in &self.rows {
@@ -457,17 +362,4 @@ fn image_near<const D: usize>(
         }
     }
     point
-}
-
-impl<const D: usize> Simulation<D> {
-    /// What the fluid exerted on each wall in the last step, in the order of the scheme's
-    /// walls; zero before the first step of a restored simulation.
-    pub fn wall_loads(&self) -> &[WallLoad] {
-        &self.rates.walls.loads
-    }
-
-    /// Whether a body is a wall.
-    pub fn is_wall(&self, body: u16) -> bool {
-        self.rates.walls.is_wall(body)
-    }
 }
