@@ -118,7 +118,9 @@ impl<const D: usize> Rates<D> {
             _ => None,
         };
         let tension = wall_tension(&scheme, &fluids);
-        let walls = Walls::new(&scheme.walls, particles, tension, spacing, &pairs.domain());
+        let support = scheme.kernel.support() * scheme.smoothing_length;
+        let domain = pairs.domain();
+        let walls = Walls::new(&scheme.walls, particles, tension, spacing, support, &domain);
         Self {
             at_surface,
             pull,

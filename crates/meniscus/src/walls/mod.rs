@@ -65,6 +65,7 @@ impl<const D: usize> Walls<D> {
         particles: &Particles<D>,
         tension: f64,
         spacing: f64,
+        support: f64,
         domain: &Domain<D>,
     ) -> Self {
         let bodies = walls.iter().map(|wall| usize::from(wall.body) + 1).max();
@@ -91,7 +92,10 @@ impl<const D: usize> Walls<D> {
         let of_walls: Vec<usize> = of_walls.collect();
         let places: Vec<_> = of_walls.iter().map(|&i| particles.position[i]).collect();
         new.normal.resize(particles.len(), Vector::ZERO);
-        for (i, normal) in of_walls.into_iter().zip(normals(&places, spacing, domain)) {
+        for (i, normal) in of_walls
+            .into_iter()
+            .zip(normals(&places, spacing, support, domain))
+        {
             new.normal[particles.id[i] as usize] = normal;
         }
         if walls.iter().any(|wall| wall.motion != Motion::Rest) {
