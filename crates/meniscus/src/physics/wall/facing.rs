@@ -143,7 +143,9 @@ mod tests {
             let from_end = place[along].min(20.0 - place[along]);
             if from_end > 4.0 {
                 assert!(normal[across].abs() > 0.999, "{place:?} {normal:?}");
-            } else if from_end > 0.0 && from_end < 3.0 && within(place) < 1.0 {
+            }
+            let from_corner = if beside { place[1] } else { from_end };
+            if from_corner > 0.0 && from_corner < 3.0 && within(place) < 1.0 {
                 // Deeper layers see less of what stands before them.
                 assert_eq!(normal, Vector::ZERO, "{place:?}");
             }
