@@ -51,17 +51,30 @@ pub fn normals<const D: usize>(
         .collect();
     // The mean over those around: layers of round walls do not fit each other.
     let mean = |x: &Vector<f64, D>| {
-        let mut sum = DMatrix::zeros(D, D);
+        let mut sum = [[0.0; D]; D];
         cells.near(x, |j, _| {
             let (axis, has_one) = axes[j];
-            let axis = if has_one { axis } else { Vector::ZERO };
-            sum += DMatrix::from_fn(D, D, |d, e| axis[d] * axis[e]);
+            if has_one {
+                add_square(&mut sum, &axis);
+            }
         });
-        sorted(sum).1.pop().unwrap_or(Vector::ZERO)
+        sorted(DMatrix::from_fn(D, D, |d, e| sum[d][e]))
+            .1
+            .pop()
+            .unwrap_or(Vector::ZERO)
     };
     (places.iter().zip(&axes))
         .map(|(x, (_, has_one))| if *has_one { mean(x) } else { Vector::ZERO })
         .collect()
+}
+
+/// Adds the products of a vector's components.
+fn add_square<const D: usize>(sum: &mut [[f64; D]; D], vector: &Vector<f64, D>) {
+    for (d, row) in sum.iter_mut().enumerate() {
+        for (e, product) in row.iter_mut().enumerate() {
+            *product += vector[d] * vector[e];
+        }
+    }
 }
 
 /// Eigenvalues of a symmetric matrix, from the least, and their unit vectors.
@@ -84,7 +97,7 @@ fn thinnest<const D: usize>(
     support: f64,
 ) -> (Vector<f64, D>, bool) {
     let (mut middle, mut count) = (Vector::ZERO, 0.0);
-    let mut square = DMatrix::zeros(D, D);
+    let mut square = [[0.0; D]; D];
     let mut arms = Vec::new();
     cells.near(x, |_, y| {
         let arm = (y - *x) * (1.0 / spacing);
@@ -93,11 +106,11 @@ fn thinnest<const D: usize>(
             return;
         }
         middle += arm;
-        square += DMatrix::from_fn(D, D, |d, e| arm[d] * arm[e]);
+        add_square(&mut square, &arm);
         count += 1.0;
     });
     middle = middle * (1.0 / count);
-    let variance = square / count - DMatrix::from_fn(D, D, |d, e| middle[d] * middle[e]);
+    let variance = DMatrix::from_fn(D, D, |d, e| square[d][e] / count - middle[d] * middle[e]);
     let (values, axes) = sorted::<D>(variance);
     let off = middle - axes[0] * axes[0].dot(&middle);
     let along = arms.iter().map(|arm| arm.dot(&axes[0]));
