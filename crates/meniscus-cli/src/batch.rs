@@ -22,20 +22,82 @@ pub struct Job {
     pub case: Case,
     /// Where its files go.
     pub folder: RunFolder,
+    /// How the run stands that is to be gone on with.
+    earlier: Option<RunRecord>,
+}
+
+/// What becomes of runs that stand where others are to go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Earlier {
+    /// They are in the way.
+    Refused,
+    /// They are replaced.
+    Replaced,
+    /// Of the same case and version of the program, they are gone on with, or taken as they are where they came to their end.
+    Continued,
 }
 
 impl Job {
     /// A job whose folder, named after the case, is made in `root`.
     ///
     /// # Errors
-    /// If a run stands there already and is not to be replaced.
-    pub fn claim(name: &str, case: Case, root: &Path, force: bool) -> Result<Self, Failure> {
-        let folder = RunFolder::create(&root.join(&case.name), case.to_toml(), force)?;
+    /// If a run stands there already that is not to be replaced, or is another than the one to go on with.
+    pub fn claim(name: &str, case: Case, root: &Path, earlier: Earlier) -> Result<Self, Failure> {
+        let root = root.join(&case.name);
+        let standing = match RunFolder::open(&root) {
+            Ok(folder) if earlier == Earlier::Continued => Self::standing(&folder, &case)?,
+            _ => None,
+        };
+        let (folder, earlier) = match standing {
+            Some(record) => (RunFolder::open(&root)?, Some(record)),
+            None => {
+                let replace = earlier != Earlier::Refused;
+                (RunFolder::create(&root, case.to_toml(), replace)?, None)
+            }
+        };
         Ok(Self {
             name: name.to_owned(),
             case,
             folder,
+            earlier,
         })
+    }
+
+    /// How a run stands that can be gone on with; none where it must start anew.
+    fn standing(folder: &RunFolder, case: &Case) -> Result<Option<RunRecord>, Failure> {
+        let refuse = |whose: &str| {
+            Err(Failure::new(format!(
+                "{} holds a run {whose}: --continue goes on with runs of the same case and version alone, --force replaces any",
+                folder.root().display()
+            )))
+        };
+        if folder.read_case()? != case.to_toml() {
+            return refuse("of another case");
+        }
+        let Ok(record) = RunRecord::read(folder) else {
+            return Ok(None);
+        };
+        if record.version != env!("CARGO_PKG_VERSION") {
+            return refuse(&format!("of version {}", record.version));
+        }
+        let mut checkpoints = std::fs::read_dir(folder.checkpoints_folder())
+            .into_iter()
+            .flatten();
+        let stands = match record.status {
+            Status::Complete => true,
+            Status::Diverged => false,
+            Status::Running | Status::Interrupted => checkpoints.next().is_some(),
+        };
+        Ok(stands.then_some(record))
+    }
+
+    /// Runs it to its end, from where it stands.
+    fn run(&self, voice: Voice) -> Result<RunRecord, Failure> {
+        match &self.earlier {
+            Some(record) if record.status == Status::Complete => Ok(record.clone()),
+            Some(record) => runner::go_on(&self.case, &self.folder, record.wall_time, voice),
+            None => runner::start(&self.case, &self.folder, voice),
+        }
     }
 }
 
@@ -105,7 +167,7 @@ fn run_one(job: &Job, pages: Pages, threads: usize, tell: &(dyn Fn(&str) + Sync)
         verbose: false,
     };
     let run = || -> Result<Done, Failure> {
-        let mut record = runner::start(&job.case, &job.folder, silent)?;
+        let mut record = job.run(silent)?;
         let measured = match pages {
             Pages::Written => write_report(&job.case, &job.folder, &mut record)?,
             Pages::Left => measure(&job.case, &job.folder, &mut record)?.0,

@@ -98,6 +98,8 @@ enum Command {
         json: bool,
         #[command(flatten)]
         place: Place,
+        #[command(flatten)]
+        before: Before,
     },
     /// Compare all models of surface tension by one suite of tests.
     Appraise {
@@ -105,6 +107,8 @@ enum Command {
         what: appraise::What,
         #[command(flatten)]
         place: Place,
+        #[command(flatten)]
+        before: Before,
     },
     /// Measure how strong the cohesion of a fluid must be for the surface tension of a case, and store it.
     Calibrate {
@@ -139,6 +143,24 @@ struct Place {
     force: bool,
 }
 
+/// Of many cases, what was done before.
+#[derive(Args, Clone, Copy)]
+struct Before {
+    /// Go on with what was stopped, or died: runs of the same cases that came to their end are taken as they are.
+    #[arg(long = "continue", conflicts_with = "force")]
+    go_on: bool,
+}
+
+impl Before {
+    fn earlier(self, place: &Place) -> batch::Earlier {
+        match (self.go_on, place.force) {
+            (true, _) => batch::Earlier::Continued,
+            (false, true) => batch::Earlier::Replaced,
+            (false, false) => batch::Earlier::Refused,
+        }
+    }
+}
+
 fn main() -> ExitCode {
     let program = Program::parse();
     let threads = rayon::ThreadPoolBuilder::new()
@@ -164,11 +186,22 @@ fn dispatch(program: &Program) -> Result<ExitCode, Failure> {
         Command::Resume { folder } => runner::resume(folder, voice),
         Command::Check { case } => check::check(case, voice),
         Command::Report { folder } => conclude::rewrite(folder, voice),
-        Command::Reproduce { paper, json, place } => {
-            reproduce::reproduce(paper, *json, place.out.as_deref(), place.force, voice)
+        Command::Reproduce {
+            paper,
+            json,
+            place,
+            before,
+        } => {
+            let out = place.out.as_deref();
+            reproduce::reproduce(paper, *json, out, before.earlier(place), voice)
         }
-        Command::Appraise { what, place } => {
-            appraise::appraise(what, place.out.as_deref(), place.force, voice)
+        Command::Appraise {
+            what,
+            place,
+            before,
+        } => {
+            let out = place.out.as_deref();
+            appraise::appraise(what, out, before.earlier(place), voice)
         }
         Command::Calibrate { case, json } => calibrate::calibrate(case, *json, voice),
         Command::Bench { what } => bench::bench(what, voice),

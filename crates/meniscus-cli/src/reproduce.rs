@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use serde::Deserialize;
 
-use crate::batch::{self, Job, Pages};
+use crate::batch::{self, Earlier, Job, Pages};
 use crate::calibrate;
 use crate::convergence::Convergence;
 use crate::failure::{Failure, NOT_REPRODUCED};
@@ -93,7 +93,7 @@ pub fn reproduce(
     paper: &Path,
     json: bool,
     out: Option<&Path>,
-    force: bool,
+    earlier: Earlier,
     voice: Voice,
 ) -> Result<ExitCode, Failure> {
     let file = paper.join("reproduction.toml");
@@ -113,7 +113,7 @@ pub fn reproduce(
         true => complain(line),
         false => voice.say(line),
     };
-    let jobs = claim(&plan, paper, &root, force, &tell)?;
+    let jobs = claim(&plan, paper, &root, earlier, &tell)?;
     let panels: Vec<Panel> = jobs.iter().map(Panel::of).collect();
     let outcomes = batch::run_all(jobs, Pages::Written, &tell);
     let (mut rows, mut problems) = (Vec::new(), Vec::new());
@@ -186,14 +186,14 @@ fn claim(
     plan: &Reproduction,
     paper: &Path,
     root: &Path,
-    force: bool,
+    earlier: Earlier,
     tell: &dyn Fn(&str),
 ) -> Result<Vec<Job>, Failure> {
     let mut jobs: Vec<Job> = Vec::new();
     for number in &plan.number {
         if jobs.iter().all(|job| job.name != number.case) {
             let case = calibrate::ready(&paper.join(&number.case), tell)?;
-            jobs.push(Job::claim(&number.case, case, root, force)?);
+            jobs.push(Job::claim(&number.case, case, root, earlier)?);
         }
     }
     Ok(jobs)

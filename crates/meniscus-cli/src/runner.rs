@@ -60,10 +60,7 @@ pub fn resume(root: &Path, voice: Voice) -> Result<ExitCode, Failure> {
         return Ok(ExitCode::SUCCESS);
     }
     let wall_time = earlier.map_or(0.0, |record| record.wall_time);
-    let record = match case.dimension {
-        2 => resume_in::<2>(&case, &folder, wall_time, voice)?,
-        _ => resume_in::<3>(&case, &folder, wall_time, voice)?,
-    };
+    let record = go_on(&case, &folder, wall_time, voice)?;
     finish(&case, &folder, record, voice)
 }
 
@@ -141,6 +138,19 @@ where
         earlier: 0.0,
     };
     march.go()
+}
+
+/// Goes on from a folder's last checkpoint, after so much wall-clock time (s).
+pub fn go_on(
+    case: &Case,
+    folder: &RunFolder,
+    wall_time: f64,
+    voice: Voice,
+) -> Result<RunRecord, Failure> {
+    match case.dimension {
+        2 => resume_in::<2>(case, folder, wall_time, voice),
+        _ => resume_in::<3>(case, folder, wall_time, voice),
+    }
 }
 
 fn resume_in<const D: usize>(

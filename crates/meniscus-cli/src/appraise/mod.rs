@@ -29,7 +29,7 @@ use meniscus_case::Case;
 use meniscus_output::RunFolder;
 use serde::Serialize;
 
-use crate::batch::{self, Job, Pages};
+use crate::batch::{self, Earlier, Job, Pages};
 use crate::failure::Failure;
 use crate::interrupt;
 use crate::progress::duration;
@@ -72,7 +72,7 @@ struct Answer<'a> {
 pub fn appraise(
     what: &What,
     out: Option<&Path>,
-    force: bool,
+    earlier: Earlier,
     voice: Voice,
 ) -> Result<ExitCode, Failure> {
     let begin = Instant::now();
@@ -103,7 +103,7 @@ pub fn appraise(
     for trial in &trials {
         let claim = match calibrations.case(trial) {
             Ok(case) => {
-                jobs.push(Job::claim(&trial.name(), case.clone(), &runs, force)?);
+                jobs.push(Job::claim(&trial.name(), case.clone(), &runs, earlier)?);
                 Ok(case)
             }
             Err(refused) => Err(refused.message().to_owned()),

@@ -36,6 +36,24 @@ fn models_are_compared_as_a_page_and_as_json() {
 
     let refused = place.run(&few).code(1);
     has(&refused.err, &["--force"]);
+
+    // One run was killed, one is lost, and the others are taken as they are.
+    let runs = place.path("out/appraise/runs");
+    let killed = "out/appraise/runs/swing-2d-7-lattice-continuum/run.json";
+    let record = place.read(killed).replace("\"complete\"", "\"running\"");
+    std::fs::write(place.path(killed), record).unwrap();
+    std::fs::remove_dir_all(runs.join("swing-2d-7-jittered-1-continuum")).unwrap();
+    let kept = runs.join("swing-2d-13-lattice-continuum/frames");
+    let written = || std::fs::metadata(&kept).unwrap().modified().unwrap();
+    let before = written();
+    let whole = |text: &str| text[..text.find("## Time to solution").unwrap()].to_owned();
+    let continued = place.run(&[&few[..], &["--continue"]].concat()).ok();
+    assert_eq!(whole(&continued.out), whole(&page.out));
+    assert_eq!(written(), before);
+    let other = format!("# another\n{}", place.read(case));
+    std::fs::write(place.path(case), other).unwrap();
+    let refused = place.run(&[&few[..], &["--continue"]].concat()).code(1);
+    has(&refused.err, &["another case", "--force"]);
     let again = [&few[..], &["--force", "--json", "--quiet"]].concat();
     let json: Value = serde_json::from_str(&place.run(&again).ok().out).unwrap();
     let scores = json["scores"].as_array().unwrap();

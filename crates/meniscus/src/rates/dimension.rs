@@ -27,7 +27,7 @@ pub struct Space;
 pub struct Table<const D: usize> {
     pub(crate) advance_density: fn(&mut Rates<D>, &mut Particles<D>, f64, f64),
     pub(crate) accelerate: fn(&mut Rates<D>, &mut Particles<D>, f64),
-    pub(crate) put_in_order: fn(&mut Rates<D>, &mut Particles<D>, f64),
+    pub(crate) put_in_order: fn(&mut Rates<D>, &mut Particles<D>, u64, f64),
     pub(crate) rebuild: fn(&mut Pairs<D>, &mut Particles<D>),
     pub(crate) diagnose: fn(&Rates<D>, &Particles<D>, &Domain<D>, f64, usize) -> Culprit,
 }

@@ -3,6 +3,7 @@
 //! - here: what they need, and the order of forces
 //! - `density`: density and pressure
 //! - `surface`: forces by surface tension
+//! - `order`: what puts particles in order
 //! - `van_der_waals`: a fluid of its own
 //! - `force`: those of the user's own; `between`: the force of a single pair
 //! - `dimension`: that they are compiled once, for 2 and 3 dimensions
@@ -11,6 +12,7 @@ mod between;
 mod density;
 mod dimension;
 mod force;
+mod order;
 mod surface;
 mod van_der_waals;
 
@@ -56,6 +58,7 @@ pub(crate) struct Rates<const D: usize> {
     bearing: Vec<usize>,
     /// Bodies of liquid, where surface tension balances them, and walls that they wet.
     free: surface::FreeBodies,
+    shifts: order::Shifts<D>,
     wetting: Wetting,
     /// Mean of the particles at the start, m.
     spacing: f64,
@@ -126,6 +129,7 @@ impl<const D: usize> Rates<D> {
             pull,
             bearing: Vec::new(),
             free: surface::FreeBodies::default(),
+            shifts: order::Shifts::default(),
             wetting: Wetting::default(),
             spacing,
             viscous_stress: ViscousStress::default(),

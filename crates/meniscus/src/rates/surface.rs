@@ -236,25 +236,6 @@ impl<const D: usize> Rates<D> {
         }
     }
 
-    /// Puts particles beside walls in order, where the model asks for it, for `dt` seconds: after the forces of a step, in
-    /// whose order of rows it knows their places.
-    pub(crate) fn put_in_order(&mut self, particles: &mut Particles<D>, dt: f64) {
-        let Some(surface_tension) = self.capillary_tension() else {
-            return;
-        };
-        if self.walls.is_empty() {
-            return;
-        }
-        let density = self.fluids[0].density;
-        let order = Order::new::<D>(surface_tension, density, self.spacing);
-        let surface = &self.surface;
-        if let Some(near) = self.pairs.second() {
-            let minds = |rows| Order::minds(surface, rows);
-            near.sweep(&order, particles, minds, &mut self.vectors);
-            order.restore(surface, &self.vectors, particles, dt);
-        }
-    }
-
     /// Adds to the pressure of walls what balances the forces of pairs on the fluid near them.
     pub(super) fn press_walls(&mut self, particles: &mut Particles<D>) {
         let Some(pull) = &mut self.pull else {

@@ -172,11 +172,7 @@ impl<const D: usize> Arrangement<D> {
         }
         let origin = self
             .origin
-            .or_else(|| match self.pattern {
-                Pattern::Stacked => shape.end_of_axis(),
-                _ => shape.centre(),
-            })
-            .unwrap_or_else(|| self.fitted_origin(low, high));
+            .unwrap_or_else(|| self.fitted_origin(shape, low, high));
         let too_many = FillError::TooMany {
             estimate: self.estimate(shape),
             limit,
@@ -221,7 +217,28 @@ impl<const D: usize> Arrangement<D> {
         }
     }
 
-    fn fitted_origin(&self, low: Vector<f64, D>, high: Vector<f64, D>) -> Vector<f64, D> {
+    /// The centre of a round shape, where a lattice has a particle; but half a spacing inside of a flat face that cuts it,
+    /// such as that on a wall, and of the low corner of what is not round.
+    fn fitted_origin(
+        &self,
+        shape: &Shape<D>,
+        low: Vector<f64, D>,
+        high: Vector<f64, D>,
+    ) -> Vector<f64, D> {
+        let is_lattice = matches!(self.pattern, Pattern::Cubic | Pattern::ClosePacked);
+        let centre = match self.pattern {
+            Pattern::Stacked => shape.end_of_axis(),
+            _ => shape.centre(),
+        };
+        if let Some(mut origin) = centre {
+            if is_lattice {
+                for (point, outward) in shape.cuts() {
+                    let outside = (origin - point).dot(&outward);
+                    origin -= outward * (outside + 0.5 * self.spacing);
+                }
+            }
+            return origin;
+        }
         // Rows that alternate between two places keep the same distance to both walls.
         let part = match (self.pattern, D) {
             (Pattern::Concentric | Pattern::Stacked, _) => return (low + high) * 0.5,

@@ -173,8 +173,23 @@ impl<const D: usize> Shape<D> {
         }
     }
 
-    /// The centre of a shape that has one: where a lattice puts a particle.
-    /// A shape made of others takes its first part's.
+    /// Flat faces that half spaces cut: a point of each, and its outward normal.
+    pub fn cuts(&self) -> Vec<(Vector<f64, D>, Vector<f64, D>)> {
+        let half_space = |shape: &Shape<D>, sign: f64| match shape {
+            Shape::HalfSpace { point, normal } => Some((*point, *normal * (sign / normal.norm()))),
+            _ => None,
+        };
+        let (shapes, sign) = match self {
+            Shape::Intersection(shapes) => (shapes, 1.0),
+            Shape::Difference(_, less) => (less, -1.0),
+            _ => return Vec::new(),
+        };
+        (shapes.iter())
+            .filter_map(|shape| half_space(shape, sign))
+            .collect()
+    }
+
+    /// The centre of a shape that has one. A shape made of others takes its first part's.
     pub fn centre(&self) -> Option<Vector<f64, D>> {
         match self {
             Shape::Ball { centre, .. } | Shape::Ellipsoid { centre, .. } => Some(*centre),

@@ -298,3 +298,29 @@ fn discs_fill_a_tube_up_to_half_a_spacing_from_its_wall() {
         assert!(along > 0.49 * dx && along < 2.0 - 0.49 * dx && away < radius - 0.49 * dx);
     }
 }
+
+#[test]
+fn a_lattice_starts_half_a_spacing_inside_of_a_flat_face() {
+    let (dx, floor) = (0.1, 0.31);
+    let ball = Shape::Ball {
+        centre: Vector([0.0, 0.0, 0.0]),
+        radius: 1.0,
+    };
+    let half_space = |upwards: f64| Shape::HalfSpace {
+        point: Vector([0.0, 0.0, floor]),
+        normal: Vector([0.0, 0.0, 2.0 * upwards]),
+    };
+    let cap = [
+        Shape::Intersection(vec![ball.clone(), half_space(-1.0)]),
+        Shape::Difference(Box::new(ball), vec![half_space(1.0)]),
+    ];
+    for cap in cap {
+        let lattice = Arrangement::new(Pattern::Cubic, dx);
+        let positions = lattice.fill(&cap, ROOM).unwrap();
+        let lowest = positions.iter().map(|x| x[2]).fold(f64::MAX, f64::min);
+        assert!((lowest - floor - 0.5 * dx).abs() < 1e-12);
+        // Across it stays about the centre.
+        let middle: f64 = positions.iter().map(|x| x[0] + x[1]).sum();
+        assert!(middle.abs() < 1e-9);
+    }
+}

@@ -70,7 +70,7 @@ impl<const D: usize> Simulation<D> {
         self.steps += 1;
         // Velocities are still those that the accelerations belong to.
         self.check_state()?;
-        (self.table.put_in_order)(&mut self.rates, &mut self.particles, dt);
+        (self.table.put_in_order)(&mut self.rates, &mut self.particles, self.steps, dt);
         kick(&mut self.particles, dt, damping);
         self.choose_step();
         self.check_step()

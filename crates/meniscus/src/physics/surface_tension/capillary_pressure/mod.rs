@@ -38,10 +38,12 @@ mod nodes;
 mod normals;
 mod order;
 mod reaction;
+mod shift;
 
 pub use closeness::Closeness;
 pub use load::Load;
-pub use order::Order;
+pub use order::{EVERY, Order};
+pub use shift::{MeanShift, Shifted, Widening};
 
 use rayon::prelude::*;
 

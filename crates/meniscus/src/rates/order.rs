@@ -1,0 +1,54 @@
+//! Particles of a liquid that walls hold are put in order, where capillary pressure asks for it.
+
+use super::Rates;
+use crate::particles::Particles;
+use crate::physics::surface_tension::capillary_pressure::{
+    EVERY, MeanShift, Order, Shifted, Widening,
+};
+use crate::term::Sweep;
+use crate::vector::Vector;
+
+/// Columns on the way.
+#[derive(Debug, Default)]
+pub(super) struct Shifts<const D: usize> {
+    shifts: Vec<Vector<f64, D>>,
+    around: Vec<Shifted<f64, D>>,
+    widening: Vec<(f64, f64)>,
+}
+
+impl<const D: usize> Rates<D> {
+    /// Shifts particles, and changes their density by it, after so many `steps` of `dt` seconds: after the forces of a
+    /// step, in whose order of rows it knows their places.
+    pub(crate) fn put_in_order(&mut self, particles: &mut Particles<D>, steps: u64, dt: f64) {
+        let Some(surface_tension) = self.capillary_tension() else {
+            return;
+        };
+        if self.walls.is_empty() || !steps.is_multiple_of(EVERY) {
+            return;
+        }
+        let density = self.fluids[0].density;
+        let order = Order::new::<D>(surface_tension, density, self.spacing);
+        let surface = &self.surface;
+        let Shifts {
+            shifts,
+            around,
+            widening,
+        } = &mut self.shifts;
+        let Some(near) = self.pairs.second() else {
+            return;
+        };
+        let minds = |rows| Order::minds(surface, rows);
+        near.sweep(&order, particles, minds, shifts);
+        order.shifts(surface, shifts, EVERY as f64 * dt);
+        (self.pairs).sweep(&MeanShift { shifts }, particles, minds, around);
+        let is_wall = self.walls.bodies();
+        let widened = Widening { around, is_wall };
+        (self.pairs).sweep(&widened, particles, minds, widening);
+        for (row, (shift, sums)) in shifts.iter().zip(widening).enumerate() {
+            if !self.walls.is_wall(particles.body[row]) {
+                particles.position[row] += *shift;
+                particles.density[row] *= Widening::<D>::thinned(*sums);
+            }
+        }
+    }
+}
