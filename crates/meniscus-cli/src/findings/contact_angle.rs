@@ -26,12 +26,17 @@ pub fn measure(case: &Case, series: &Series, findings: &mut Findings) {
     };
     let expected = asked.expected.map(|angle| ("expected", angle.to_degrees()));
     let exact_drop = shape_at_rest(case, asked);
+    let weighs = case.scheme.body_force.is_some() && exact_drop.is_some();
     for ((column, unit), (id, name)) in CONTACT_ANGLE.into_iter().zip(NUMBERS) {
+        let theory = |of: fn(&AtRest) -> f64| {
+            (exact_drop.as_ref()).map(|drop| ("Young and Laplace", of(drop)))
+        };
         let reference = match id {
-            "wetted-radius" | "wetted-radius-circle" => {
-                exact_drop.map(|(base, _)| ("Young and Laplace", base))
-            }
-            "drop-height" => exact_drop.map(|(_, height)| ("Young and Laplace", height)),
+            // The weight that flattens a drop, its circle shows as well.
+            "contact-angle" if weighs => theory(|drop| drop.circle_angle.to_degrees()),
+            "wetted-radius" => theory(|drop| drop.base_radius),
+            "wetted-radius-circle" => theory(|drop| drop.circle_base_radius),
+            "drop-height" => theory(|drop| drop.height),
             _ => expected,
         };
         match mean(series, column, &asked.window) {
@@ -49,9 +54,16 @@ pub fn measure(case: &Case, series: &Series, findings: &mut Findings) {
     }
 }
 
-/// The first body at rest under the angle to compare with: its base and height. None where
-/// its weight does not push it straight on a flat wall.
-fn shape_at_rest(case: &Case, asked: &ContactAngle) -> Option<(f64, f64)> {
+/// What a drop at rest would show: angle in rad, lengths in m.
+struct AtRest {
+    base_radius: f64,
+    height: f64,
+    circle_angle: f64,
+    circle_base_radius: f64,
+}
+
+/// The first body at rest under the angle to compare with. None where its weight does not push it straight on a flat wall.
+fn shape_at_rest(case: &Case, asked: &ContactAngle) -> Option<AtRest> {
     let (angle, body) = (asked.expected?, case.bodies.first()?);
     let fluid = &case.fluids[body.fluid];
     let length = match (&case.scheme.body_force, &asked.base) {
@@ -61,7 +73,12 @@ fn shape_at_rest(case: &Case, asked: &ContactAngle) -> Option<(f64, f64)> {
                 Side::Outside => -radius,
             };
             let lens = CapOnBall::of_volume(body.volume, angle, radius, case.dimension);
-            return Some((lens.base_radius, lens.height));
+            return Some(AtRest {
+                base_radius: lens.base_radius,
+                height: lens.height,
+                circle_angle: angle,
+                circle_base_radius: lens.base_radius,
+            });
         }
         (None, Base::Plane { .. }) => f64::INFINITY,
         (Some(BodyForce::Constant(g)), Base::Plane { normal, .. }) => {
@@ -76,5 +93,10 @@ fn shape_at_rest(case: &Case, asked: &ContactAngle) -> Option<(f64, f64)> {
         _ => return None,
     };
     let drop = SessileDrop::of_volume(body.volume, angle, length, case.dimension);
-    Some((drop.base_radius, drop.height))
+    Some(AtRest {
+        base_radius: drop.base_radius,
+        height: drop.height,
+        circle_angle: drop.circle_angle,
+        circle_base_radius: drop.circle_base_radius,
+    })
 }

@@ -19,6 +19,7 @@ impl<const D: usize> Rates<D> {
         self.walls.go_halfway(&self.pairs, particles, dt);
         match self.scheme.density {
             DensityForm::Continuity | DensityForm::Number | DensityForm::Corrected => {
+                self.walls.meet(&mut self.pairs, particles);
                 self.find_compression(particles);
                 // The pressure beyond capillary pressure has either sign.
                 let pull = self.capillary_tension().is_some();
@@ -61,17 +62,17 @@ impl<const D: usize> Rates<D> {
 
     /// (1/rho) D rho/Dt by the motion of particles, 1/s, into the column of scalars.
     fn find_compression(&mut self, particles: &Particles<D>) {
-        let rates = &mut self.scalars;
+        let (rates, walls) = (&mut self.scalars, &self.walls);
+        let matters = |rows| walls.is_empty() || walls.may_matter(particles, rows);
         match self.scheme.density {
             DensityForm::Number => {
                 self.pairs
-                    .sweep(&NumberContinuity, particles, |_| true, rates);
+                    .sweep(&NumberContinuity, particles, matters, rates);
             }
             DensityForm::Corrected => {
                 let sums = &mut self.velocity_gradients;
                 self.pairs
-                    .sweep(&VelocityGradient, particles, |_| true, sums);
-                let walls = &self.walls;
+                    .sweep(&VelocityGradient, particles, matters, sums);
                 rates.resize(particles.len(), 0.0);
                 (rates.par_iter_mut(), &*sums, &particles.body)
                     .into_par_iter()
@@ -86,7 +87,7 @@ impl<const D: usize> Rates<D> {
                     });
             }
             DensityForm::Continuity | DensityForm::Summation => {
-                self.pairs.sweep(&Continuity, particles, |_| true, rates);
+                self.pairs.sweep(&Continuity, particles, matters, rates);
             }
         }
     }

@@ -232,6 +232,7 @@ impl<const D: usize> Rates<D> {
         for (row, a) in acceleration.iter_mut().enumerate() {
             if walls.is_wall(particles.body[row]) {
                 *a += self.vectors[row] * (1.0 / particles.density[row]);
+                *a += self.surface.borne[row] * (1.0 / particles.mass[row]);
             }
         }
     }

@@ -14,6 +14,11 @@ pub struct SessileDrop {
     pub height: f64,
     /// (D - 1) / R at the top, 1/m: the pressure there over sigma.
     pub top_curvature: f64,
+    /// Angle, rad, at which the circle or sphere meets the plate that passes nearest to all its surface: what one finds who takes the
+    /// drop for a cap.
+    pub circle_angle: f64,
+    /// Radius of the base of that circle or sphere.
+    pub circle_base_radius: f64,
 }
 
 impl SessileDrop {
@@ -77,6 +82,7 @@ fn descend(curvature: f64, angle: f64, length: f64, dimension: usize) -> (Sessil
     };
     let step = angle / STEPS as f64;
     let mut y = [0.0; 3];
+    let mut circle = Circle::default();
     for k in 0..STEPS {
         let psi = step * k as f64;
         let ahead = |by: [f64; 3], share: f64| [0, 1, 2].map(|d| y[d] + share * step * by[d]);
@@ -84,15 +90,51 @@ fn descend(curvature: f64, angle: f64, length: f64, dimension: usize) -> (Sessil
         let b = slope(psi + 0.5 * step, ahead(a, 0.5));
         let c = slope(psi + 0.5 * step, ahead(b, 0.5));
         let d = slope(psi + step, ahead(c, 1.0));
+        let [r, z] = [0, 1].map(|i| y[i] + 0.25 * step * (a[i] + b[i]));
+        let length = step * b[0].hypot(b[1]);
+        circle.add(r, z, if solid { r * length } else { length });
         y = [0, 1, 2].map(|i| y[i] + step / 6.0 * (a[i] + 2.0 * (b[i] + c[i]) + d[i]));
     }
     let [base_radius, height, volume] = y;
+    let (depth, radius) = circle.fitted();
     let drop = SessileDrop {
+        circle_angle: ((depth - height) / radius).clamp(-1.0, 1.0).acos(),
+        circle_base_radius: (radius.powi(2) - (depth - height).powi(2)).max(0.0).sqrt(),
         base_radius,
         height,
         top_curvature: curvature,
     };
     (drop, volume)
+}
+
+/// Sums over a surface, to the circle about its axis with the least squares of r^2 + z^2 - 2 z z_c - (R^2 - z_c^2).
+#[derive(Default)]
+struct Circle {
+    weight: f64,
+    z: f64,
+    zz: f64,
+    square: f64,
+    square_z: f64,
+}
+
+impl Circle {
+    fn add(&mut self, r: f64, z: f64, weight: f64) {
+        let square = r * r + z * z;
+        self.weight += weight;
+        self.z += weight * z;
+        self.zz += weight * z * z;
+        self.square += weight * square;
+        self.square_z += weight * square * z;
+    }
+
+    /// z_c and R.
+    fn fitted(&self) -> (f64, f64) {
+        let [z, zz, square, square_z] =
+            [self.z, self.zz, self.square, self.square_z].map(|sum| sum / self.weight);
+        let centre = 0.5 * (square_z - square * z) / (zz - z * z);
+        let rest = square - 2.0 * centre * z;
+        (centre, (rest + centre * centre).sqrt())
+    }
 }
 
 #[cfg(test)]
@@ -111,6 +153,9 @@ mod tests {
                 let cap = Cap::of_volume(2.0, angle, dimension);
                 assert!((drop.base_radius - cap.base_radius).abs() < 1e-6);
                 assert!((drop.height - cap.height).abs() < 1e-6);
+                // The midpoint rule's error.
+                assert!((drop.circle_angle - angle).abs() < 1e-4);
+                assert!((drop.circle_base_radius - cap.base_radius).abs() < 1e-4);
             }
         }
     }

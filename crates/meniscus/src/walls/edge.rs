@@ -32,7 +32,8 @@ impl<const D: usize> Walls<D> {
             let passing = edge.map_or(0.0, |edge| edge.passing(particles.velocity[row]));
             Some((rate + passing) / weight)
         };
-        compression.complete(pairs, particles, &self.rows, of_wall, rates);
+        let touches = |rows| self.may_touch(particles, rows);
+        compression.complete(pairs, particles, &self.rows, touches, of_wall, rates);
         self.compression = compression;
     }
 

@@ -4,9 +4,11 @@
 //! - here: where they are, and what they take from the fluid
 //! - `edge`: what they do to its density, and do not do at its edge
 //! - `load`: what it exerts on them
+//! - `meeting`: where they meet it
 
 mod edge;
 mod load;
+mod meeting;
 
 pub use load::WallLoad;
 
@@ -41,6 +43,9 @@ pub(crate) struct Walls<const D: usize> {
     rows: Vec<u32>,
     built: Option<u64>,
     mass: Vec<f64>,
+    /// Neighbours of the other kind, and how many lists had been built then.
+    meets: Vec<f64>,
+    met: Option<u64>,
     sums: Vec<Neighbourhood<f64, D>>,
     compression: Compression,
     /// Unit normals of wall particles at t = 0, by number of the particle.
@@ -168,12 +173,14 @@ impl<const D: usize> Walls<D> {
 
     /// Finds what the fluid near walls is like.
     fn look(&mut self, pairs: &mut Pairs<D>, particles: &Particles<D>) {
-        let is_wall = &self.is_wall;
-        let near_wall = |rows: std::ops::Range<usize>| {
-            (particles.body[rows].iter()).any(|&body| is_wall.get(usize::from(body)) == Some(&true))
+        self.meet(pairs, particles);
+        let mut sums = std::mem::take(&mut self.sums);
+        let near = Extrapolation {
+            is_wall: &self.is_wall,
         };
-        let near = Extrapolation { is_wall };
-        pairs.sweep(&near, particles, near_wall, &mut self.sums);
+        let wet = |rows| self.may_be_wet(particles, rows);
+        pairs.sweep(&near, particles, wet, &mut sums);
+        self.sums = sums;
     }
 
     /// Puts the particles where they are at `time`, s, with their velocities.

@@ -1,6 +1,6 @@
 //! A drop that stands on a wall, and then gets a weight that should hardly be seen.
 
-use meniscus::theory::{SessileDrop, contact_angle};
+use meniscus::theory::SessileDrop;
 use meniscus_case::Window;
 
 use super::{Effort, Start, cap};
@@ -102,11 +102,10 @@ impl Change {
     }
 }
 
-/// In degrees. Weight bends the surface; the circle through the contact line and the top shows
-/// another angle, the wall's own being the same.
+/// In degrees. Weight bends the surface; the circle that passes nearest to it shows another angle, the wall's own being the same.
 fn angle_change(run: &Evidence<'_>) -> Option<Change> {
     let [before, after] = exact(run)?;
-    let shown = |drop: SessileDrop| contact_angle(drop.height, drop.base_radius).to_degrees();
+    let shown = |drop: SessileDrop| drop.circle_angle.to_degrees();
     let (found, noise) = change(run, "contact angle")?;
     Some(Change {
         found: found[1] - found[0],
@@ -121,7 +120,7 @@ fn radius_change(run: &Evidence<'_>) -> Option<Change> {
     let (found, noise) = change(run, "wetted radius by circle")?;
     Some(Change {
         found: 100.0 * (found[1] / found[0] - 1.0),
-        right: 100.0 * (after.base_radius / before.base_radius - 1.0),
+        right: 100.0 * (after.circle_base_radius / before.circle_base_radius - 1.0),
         noise: 100.0 * noise / found[0],
     })
 }

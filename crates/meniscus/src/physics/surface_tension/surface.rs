@@ -15,6 +15,8 @@ pub struct Surface<const D: usize> {
     pub curvature: Vec<f64>,
     /// Force per volume, N/m^3.
     pub force: Vec<Vector<f64, D>>,
+    /// What particles of walls bear of it, N (N/m in 2D), where the model has it for each.
+    pub(crate) borne: Vec<Vector<f64, D>>,
     /// What pairwise forces add to the pressure by the virial theorem, Pa: the mean over the axes
     /// of sum_j r_ij . F_ij / (2 V_i) (Tartakovsky and Meakin 2005). Negative where they attract;
     /// never fed back. Empty for other models.

@@ -38,12 +38,14 @@ pub struct Compression {
 
 impl Compression {
     /// Completes (1/rho) D rho / Dt, 1/s, of the fluid by `of_wall`, what the sums of continuity have for the
-    /// rows of walls, with what these know of the fluid; none for those that take no part.
+    /// rows of walls, with what these know of the fluid; none for those that take no part. Walls themselves are left with none. `touches` holds for rows with
+    /// fluid that meets a wall.
     pub fn complete<const D: usize>(
         &mut self,
         sweep: &mut impl Sweep<D>,
         particles: &Particles<D>,
         walls: &[u32],
+        touches: impl Fn(std::ops::Range<usize>) -> bool + Sync,
         of_wall: impl Fn(usize, f64) -> Option<f64>,
         rates: &mut [f64],
     ) {
@@ -56,9 +58,13 @@ impl Compression {
                 weighted[row] = rate * particles.volume(row);
             }
         }
-        sweep.sweep(&Smoothed { weighted }, particles, |_| true, sums);
+        sweep.sweep(&Smoothed { weighted }, particles, touches, sums);
         for (i, (rate, sum)) in rates.iter_mut().zip(&*sums).enumerate() {
             *rate += sum / particles.volume(i);
+        }
+        // Their own density follows from their pressure.
+        for &row in walls {
+            rates[row as usize] = 0.0;
         }
     }
 }

@@ -112,7 +112,7 @@ impl CapillaryPressure {
         surface: &mut Surface<D>,
     ) {
         let count = particles.len();
-        for column in [&mut surface.force, &mut surface.normal] {
+        for column in [&mut surface.force, &mut surface.normal, &mut surface.borne] {
             column.clear();
             column.resize(count, Vector::ZERO);
         }
@@ -205,17 +205,17 @@ impl<const D: usize> Scratch<D> {
                 surface.normal[i] = inward;
             }
         }
-        self.load_walls(&mesh, particles, surroundings, margin, &mut surface.force);
+        self.load_walls(&mesh, particles, surroundings, margin, &mut surface.borne);
     }
 
-    /// Gives walls what they bear of the fields' forces, as a force per volume.
+    /// Gives walls what they bear of the fields' forces.
     fn load_walls(
         &mut self,
         mesh: &Mesh<D>,
         particles: &Particles<D>,
         surroundings: &Surroundings<'_, D>,
         margin: i64,
-        force: &mut [Vector<f64, D>],
+        borne: &mut [Vector<f64, D>],
     ) {
         let Some([wall, _]) = self.nodes.beside_walls() else {
             return;
@@ -243,8 +243,7 @@ impl<const D: usize> Scratch<D> {
         for &row in &self.held {
             let i = row as usize;
             if (surroundings.wall)(i).is_some() {
-                let on_wall = reaction.on_wall(mesh, &particles.position[i]);
-                force[i] = on_wall * (1.0 / particles.volume(i));
+                borne[i] = reaction.on_wall(mesh, &particles.position[i]);
             }
         }
     }
