@@ -17,7 +17,7 @@
 //!
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
 //! other (`closeness`). Beside walls they are also put in order (`order`); and one that comes nearer to a wall than half a spacing,
-//! C_w > 1/3, is pushed off by 32 sigma / dx^2 (C_w - 1/3) per volume: by the smooth field of the wall's colour, along which nothing holds it.
+//! C_w > 1/3, is pushed off (`push`): by the smooth field of the wall's colour, along which nothing holds it.
 //! Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
 //! Walls take the pressure p - q of the liquid beside them, and bear q as well (`load`), their push and the pull of contact lines
@@ -37,6 +37,7 @@ mod load;
 mod nodes;
 mod normals;
 mod order;
+mod push;
 mod reaction;
 mod shift;
 
@@ -64,10 +65,6 @@ pub struct CapillaryPressure;
 pub const REACH: f64 = 12.0;
 /// Colour below which a particle stands out of the surface; those of a flat one have more than a half.
 const STANDING_OUT: f64 = 0.4;
-/// Colour of a wall half a spacing before it.
-const AT_WALL: f64 = 1.0 / 3.0;
-/// Push of a wall on what comes nearer, sigma / dx^2.
-const WALL_STIFFNESS: f64 = 32.0;
 /// Colour above which a node is inside, and nothing is looked for around it.
 const INSIDE: f64 = 0.95;
 
@@ -174,10 +171,10 @@ impl<const D: usize> Scratch<D> {
                 return felt;
             }
             felt.force = gradient * (-sigma / spacing);
-            if let Some([wall, deep]) = nodes.beside_walls() {
+            if let Some([wall, deep, wide]) = nodes.beside_walls() {
                 let (wall, towards) = mesh.feel_at(wall, x);
                 felt.place = Place::beside_walls(mesh.feel_at(deep, x), wall);
-                let push = WALL_STIFFNESS * (wall - AT_WALL).max(0.0) * sigma / spacing.powi(2);
+                let push = push::push(wall, || mesh.feel_at(wide, x).0) * sigma / spacing.powi(2);
                 let push = towards * (-push / towards.norm().max(f64::MIN_POSITIVE));
                 felt.force += push;
                 felt.push = (push, wall);
@@ -217,7 +214,7 @@ impl<const D: usize> Scratch<D> {
         margin: i64,
         borne: &mut [Vector<f64, D>],
     ) {
-        let Some([wall, _]) = self.nodes.beside_walls() else {
+        let Some([wall, ..]) = self.nodes.beside_walls() else {
             return;
         };
         let reaction = &mut self.reaction;

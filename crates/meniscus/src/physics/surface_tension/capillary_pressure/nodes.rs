@@ -62,7 +62,7 @@ const SOLID: f64 = 0.995;
 /// f
 const SHARPENING: f64 = 3.5;
 /// Variance of the colour's profile along each axis, dx^2: spline 1/3, passes 1/2 each.
-const VARIANCE: f64 = 1.0 / 3.0 + 0.5 * PASSES as f64;
+pub(super) const VARIANCE: f64 = 1.0 / 3.0 + 0.5 * PASSES as f64;
 /// b
 const fn deeper(dimension: usize) -> f64 {
     if dimension == 3 { 1.47 } else { 0.88 }
@@ -87,6 +87,8 @@ pub(super) struct Nodes<const D: usize> {
     /// Of liquid and walls together, smoothed more, where there are walls.
     deep: Vec<f64>,
     wall: Vec<f64>,
+    /// The same, smoothed as much as `deep`.
+    wide_wall: Vec<f64>,
     wetting: Vec<f64>,
     /// s
     open: Vec<f64>,
@@ -148,6 +150,8 @@ impl<const D: usize> Nodes<D> {
                 *deep = colour + wall;
             }
             mesh.smooth(&mut self.deep, spare, order::PASSES);
+            self.wide_wall.clone_from(&self.wall);
+            mesh.smooth(&mut self.wide_wall, spare, order::PASSES);
             for (colour, wall) in self.colour.iter_mut().zip(&self.wall) {
                 *colour /= 1.0 - wall.min(SOLID);
             }
@@ -160,9 +164,9 @@ impl<const D: usize> Nodes<D> {
         self.average(mesh);
     }
 
-    /// The colour of walls, and that of liquid and walls together, smoothed more; none without walls.
-    pub fn beside_walls(&self) -> Option<[&[f64]; 2]> {
-        (!self.wall.is_empty()).then_some([&self.wall, &self.deep])
+    /// The colour of walls, then smoothed more that of liquid and walls together, and that of walls; none without walls.
+    pub fn beside_walls(&self) -> Option<[&[f64]; 3]> {
+        (!self.wall.is_empty()).then_some([&self.wall, &self.deep, &self.wide_wall])
     }
 
     /// The force on contact lines, of sigma: as in [`reaction`](super::reaction).
