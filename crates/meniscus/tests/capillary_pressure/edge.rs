@@ -1,9 +1,10 @@
 //! What walls do at the edge of a liquid.
 
+use meniscus::physics::wall::layout::Layers;
 use meniscus::scheme::Slip;
 use meniscus::{Simulation, Vector};
 
-use crate::common::put_on_a_plate;
+use crate::common::{put_beside_wall, put_on_a_plate};
 use crate::liquid;
 
 /// Densities of a slab that slides along its plate at this speed, after a quarter of a time unit.
@@ -55,4 +56,29 @@ fn a_drop_without_weight_neither_pushes_nor_pulls_its_plate() {
         );
         assert!(force[0].abs() < 0.05 * pull, "{degrees}: {force:?}");
     }
+}
+
+/// A pool that meets its tank at a right angle is at rest, up to its corners.
+#[test]
+fn a_pool_fills_the_corners_of_its_tank() {
+    let (half, depth) = (8.0, 7.0);
+    let mut setup = liquid::<2>(half, 0.02, 0.1, |x| {
+        x[0].abs() < half && x[1] > 0.0 && x[1] < depth
+    });
+    let (low, high) = (Vector([-half, 0.0]), Vector([half, 12.0]));
+    let tank = Layers::new(1.0, 4.0, 10_000).tank(low, high, &[(1, true)]);
+    put_beside_wall(&mut setup, &tank.expect("it fits"), 90.0, Slip::NoSlip);
+    let mut simulation = Simulation::new(setup).expect("a sound setup");
+    simulation.advance_to(10.0).expect("a pool at rest");
+    let p = simulation.particles().of_bodies(|body| body == 0);
+    for corner in [-half, half] {
+        let away = |x: &Vector<f64, 2>| (*x - Vector([corner, 0.0])).norm();
+        let nearest = p.position.iter().map(away).fold(f64::INFINITY, f64::min);
+        // 0.71 on a lattice; 1.7 where both walls push.
+        assert!(nearest < 1.1, "{nearest}");
+    }
+    // The jitter's; a particle that was pushed out of its corner had 6 % more.
+    let off = p.density.iter().map(|density| (density - 1.0).abs());
+    let most = off.fold(0.0, f64::max);
+    assert!(most < 0.03, "{most}");
 }

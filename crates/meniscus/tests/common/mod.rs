@@ -194,6 +194,11 @@ pub fn where_a_stray_comes(mut disc: Setup<2>) -> f64 {
 /// Puts a plate of this contact angle under liquid of unit spacing, its surface at y = 0, as a body of its own.
 pub fn put_on_a_plate(setup: &mut Setup<2>, width: f64, degrees: f64, slip: Slip) {
     let plate = Layers::new(1.0, 4.0, 10_000).plane(Vector::ZERO, Vector([0.0, 1.0]), width);
+    put_beside_wall(setup, &plate.expect("it fits"), degrees, slip);
+}
+
+/// Puts a wall of this contact angle, as a body of its own, beside liquid of unit spacing.
+pub fn put_beside_wall(setup: &mut Setup<2>, wall: &[Vector<f64, 2>], degrees: f64, slip: Slip) {
     let particle = |&position: &Vector<f64, 2>| Particle {
         position,
         velocity: Vector::ZERO,
@@ -201,7 +206,7 @@ pub fn put_on_a_plate(setup: &mut Setup<2>, width: f64, degrees: f64, slip: Slip
         fluid: 0,
         body: 1,
     };
-    (setup.particles).extend(plate.expect("it fits").iter().map(particle));
+    (setup.particles).extend(wall.iter().map(particle));
     setup.scheme.walls = vec![Wall {
         adhesion: Adhesion::ContactAngle(degrees.to_radians()),
         slip,
