@@ -22,8 +22,8 @@ pub struct Job {
     pub case: Case,
     /// Where its files go.
     pub folder: RunFolder,
-    /// How the run stands that is to be gone on with.
-    earlier: Option<RunRecord>,
+    /// How the run stands that is gone on with.
+    standing: Option<RunRecord>,
 }
 
 /// What becomes of runs that stand where others are to go.
@@ -44,56 +44,54 @@ impl Job {
     /// If a run stands there already that is not to be replaced, or is another than the one to go on with.
     pub fn claim(name: &str, case: Case, root: &Path, earlier: Earlier) -> Result<Self, Failure> {
         let root = root.join(&case.name);
-        let standing = match RunFolder::open(&root) {
-            Ok(folder) if earlier == Earlier::Continued => Self::standing(&folder, &case)?,
-            _ => None,
-        };
-        let (folder, earlier) = match standing {
-            Some(record) => (RunFolder::open(&root)?, Some(record)),
-            None => {
-                let replace = earlier != Earlier::Refused;
-                (RunFolder::create(&root, case.to_toml(), replace)?, None)
-            }
+        let continued = earlier == Earlier::Continued && root.join("case.toml").is_file();
+        let (folder, standing) = if continued {
+            Self::take_up(&root, &case)?
+        } else {
+            let replace = earlier == Earlier::Replaced;
+            (RunFolder::create(&root, case.to_toml(), replace)?, None)
         };
         Ok(Self {
             name: name.to_owned(),
             case,
             folder,
-            earlier,
+            standing,
         })
     }
 
-    /// How a run stands that can be gone on with; none where it must start anew.
-    fn standing(folder: &RunFolder, case: &Case) -> Result<Option<RunRecord>, Failure> {
+    /// The folder of a run of this case, and how it stands; none where it starts anew, since it diverged or has no checkpoint.
+    fn take_up(root: &Path, case: &Case) -> Result<(RunFolder, Option<RunRecord>), Failure> {
         let refuse = |whose: &str| {
             Err(Failure::new(format!(
                 "{} holds a run {whose}: --continue goes on with runs of the same case and version alone, --force replaces any",
-                folder.root().display()
+                root.display()
             )))
         };
+        let folder = RunFolder::open(root)?;
         if folder.read_case()? != case.to_toml() {
             return refuse("of another case");
         }
-        let Ok(record) = RunRecord::read(folder) else {
-            return Ok(None);
-        };
-        if record.version != env!("CARGO_PKG_VERSION") {
-            return refuse(&format!("of version {}", record.version));
+        if root.join("run.json").is_file() {
+            let record = RunRecord::read(&folder)?;
+            if record.version != env!("CARGO_PKG_VERSION") {
+                return refuse(&format!("of version {}", record.version));
+            }
+            let stands = match record.status {
+                Status::Complete => true,
+                Status::Diverged => false,
+                Status::Running | Status::Interrupted => runner::can_go_on(&folder),
+            };
+            if stands {
+                return Ok((folder, Some(record)));
+            }
         }
-        let mut checkpoints = std::fs::read_dir(folder.checkpoints_folder())
-            .into_iter()
-            .flatten();
-        let stands = match record.status {
-            Status::Complete => true,
-            Status::Diverged => false,
-            Status::Running | Status::Interrupted => checkpoints.next().is_some(),
-        };
-        Ok(stands.then_some(record))
+        drop(folder);
+        Ok((RunFolder::create(root, case.to_toml(), true)?, None))
     }
 
     /// Runs it to its end, from where it stands.
     fn run(&self, voice: Voice) -> Result<RunRecord, Failure> {
-        match &self.earlier {
+        match &self.standing {
             Some(record) if record.status == Status::Complete => Ok(record.clone()),
             Some(record) => runner::go_on(&self.case, &self.folder, record.wall_time, voice),
             None => runner::start(&self.case, &self.folder, voice),
@@ -175,7 +173,13 @@ fn run_one(job: &Job, pages: Pages, threads: usize, tell: &(dyn Fn(&str) + Sync)
         if record.status != Status::Complete {
             return Err(Failure::new("interrupted".into()));
         }
-        tell(&format!("{}: {}", job.case.name, record.speed()));
+        let taken = (job.standing.as_ref()).is_some_and(|record| record.status == Status::Complete);
+        let how = if taken {
+            "taken as it stands".to_owned()
+        } else {
+            record.speed()
+        };
+        tell(&format!("{}: {how}", job.case.name));
         Ok(Done {
             findings: measured.numbers,
             record,

@@ -140,6 +140,12 @@ where
     march.go()
 }
 
+/// Whether a folder has a whole checkpoint of this program.
+pub fn can_go_on(folder: &RunFolder) -> bool {
+    Checkpoints::open(&folder.checkpoints_folder(), STATE_VERSION)
+        .is_ok_and(|checkpoints| checkpoints.latest_good::<Snapshot>().is_ok())
+}
+
 /// Goes on from a folder's last checkpoint, after so much wall-clock time (s).
 pub fn go_on(
     case: &Case,

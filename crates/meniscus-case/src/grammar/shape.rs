@@ -172,7 +172,9 @@ fn half_space<const D: usize>(node: &mut Node<'_>) -> Shape<D> {
     node.table(|fields| {
         let point = point(fields, "point", "A point of the surface.");
         let normal = fields.required("normal", "The outward normal, of any length.", |node| {
-            Vector::from_3d(node.vector(&units::NUMBER, Sign::Any))
+            let normal = node.vector(&units::NUMBER, Sign::Any);
+            node.refuse_zero(&normal);
+            Vector::from_3d(normal)
         });
         Shape::HalfSpace { point, normal }
     })

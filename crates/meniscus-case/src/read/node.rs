@@ -134,6 +134,17 @@ impl<'n> Node<'n> {
             .error(self.span(), message, label.into(), Some(help.into()));
     }
 
+    /// Notes that a vector has no direction, if it has none.
+    pub(crate) fn refuse_zero(&self, vector: &[f64]) {
+        if vector.iter().all(|&x| x == 0.0) {
+            self.fail(
+                "this vector has no direction".into(),
+                "all its components are zero",
+                "for example [1, 0] in 2D, [1, 0, 0] in 3D",
+            );
+        }
+    }
+
     /// Whether it holds an array.
     pub(crate) fn is_list(&self) -> bool {
         matches!(self.input, Input::Value(DeValue::Array(_)))

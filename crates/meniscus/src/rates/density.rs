@@ -63,7 +63,7 @@ impl<const D: usize> Rates<D> {
     /// (1/rho) D rho/Dt by the motion of particles, 1/s, into the column of scalars.
     fn find_compression(&mut self, particles: &Particles<D>) {
         let (rates, walls) = (&mut self.scalars, &self.walls);
-        let matters = |rows| walls.is_empty() || walls.may_matter(particles, rows);
+        let matters = |rows| walls.is_liquid_or_may_be_wet(particles, rows);
         match self.scheme.density {
             DensityForm::Number => {
                 self.pairs

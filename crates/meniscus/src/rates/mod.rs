@@ -210,9 +210,6 @@ impl<const D: usize> Rates<D> {
             self.walls.hide(particles, |_| true);
             self.pull_surface(particles, &mut acceleration);
             self.walls.show(particles);
-            if sigma.is_some() {
-                self.walls.bear(particles, &mut acceleration);
-            }
         }
         if self.scheme.body_force.is_some() {
             acceleration.iter_mut().for_each(|a| *a += body_force);

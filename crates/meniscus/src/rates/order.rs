@@ -3,8 +3,9 @@
 use super::Rates;
 use crate::particles::Particles;
 use crate::physics::surface_tension::capillary_pressure::{
-    EVERY, MeanShift, Order, Shifted, Widening,
+    MeanShift, Order, STEPS_BETWEEN, Shifted, Widening,
 };
+use crate::scheme::DensityForm;
 use crate::term::Sweep;
 use crate::vector::Vector;
 
@@ -17,13 +18,14 @@ pub(super) struct Shifts<const D: usize> {
 }
 
 impl<const D: usize> Rates<D> {
-    /// Shifts particles, and changes their density by it, after so many `steps` of `dt` seconds: after the forces of a
-    /// step, in whose order of rows it knows their places.
+    /// Shifts particles, and changes by it the density of those that continuity has it for, where the number of `steps` since the start is a
+    /// whole multiple of some: the last one's `dt` (s) stands for all. After the forces of a step, in whose order of rows it knows
+    /// places.
     pub(crate) fn put_in_order(&mut self, particles: &mut Particles<D>, steps: u64, dt: f64) {
         let Some(surface_tension) = self.capillary_tension() else {
             return;
         };
-        if self.walls.is_empty() || !steps.is_multiple_of(EVERY) {
+        if self.walls.is_empty() || !steps.is_multiple_of(STEPS_BETWEEN) {
             return;
         }
         let density = self.fluids[0].density;
@@ -39,15 +41,21 @@ impl<const D: usize> Rates<D> {
         };
         let minds = |rows| Order::minds(surface, rows);
         near.sweep(&order, particles, minds, shifts);
-        order.shifts(surface, shifts, EVERY as f64 * dt);
+        let time = STEPS_BETWEEN as f64 * dt;
+        for (row, shift) in shifts.iter_mut().enumerate() {
+            *shift = order.shift(surface, row, *shift, time);
+        }
         (self.pairs).sweep(&MeanShift { shifts }, particles, minds, around);
         let is_wall = self.walls.bodies();
         let widened = Widening { around, is_wall };
         (self.pairs).sweep(&widened, particles, minds, widening);
+        let by_continuity = self.scheme.density != DensityForm::Summation;
         for (row, (shift, sums)) in shifts.iter().zip(widening).enumerate() {
             if !self.walls.is_wall(particles.body[row]) {
                 particles.position[row] += *shift;
-                particles.density[row] *= Widening::<D>::thinned(*sums);
+                if by_continuity {
+                    particles.density[row] *= Widening::<D>::thinned(*sums);
+                }
             }
         }
     }

@@ -40,7 +40,8 @@ pub struct Arrangement<const D: usize> {
     pub rotation: Rotation<D>,
     /// Where a particle of the lattice, or the centre of the rings, lies, m.
     ///
-    /// Where none is given it is the shape's centre if it has one. Otherwise
+    /// Where none is given it is the shape's centre if it has one; a lattice then starts half a period
+    /// inside of flat faces that half spaces cut. Otherwise
     /// rings centre on the middle of the shape's bounding box, and a lattice
     /// starts inside the low corner of that box, by half its period in each
     /// direction: so a block of n by m spacings holds n by m particles of a
@@ -210,44 +211,11 @@ impl<const D: usize> Arrangement<D> {
     }
 
     /// Distances between lattice rows along x, y and z, in spacings.
-    fn periods(&self) -> [f64; 3] {
+    pub(super) fn periods(&self) -> [f64; 3] {
         match self.pattern {
             Pattern::ClosePacked => [1.0, 0.75_f64.sqrt(), (2.0_f64 / 3.0).sqrt()],
             _ => [1.0; 3],
         }
-    }
-
-    /// The centre of a round shape, where a lattice has a particle; but half a spacing inside of a flat face that cuts it,
-    /// such as that on a wall, and of the low corner of what is not round.
-    fn fitted_origin(
-        &self,
-        shape: &Shape<D>,
-        low: Vector<f64, D>,
-        high: Vector<f64, D>,
-    ) -> Vector<f64, D> {
-        let is_lattice = matches!(self.pattern, Pattern::Cubic | Pattern::ClosePacked);
-        let centre = match self.pattern {
-            Pattern::Stacked => shape.end_of_axis(),
-            _ => shape.centre(),
-        };
-        if let Some(mut origin) = centre {
-            if is_lattice {
-                for (point, outward) in shape.cuts() {
-                    let outside = (origin - point).dot(&outward);
-                    origin -= outward * (outside + 0.5 * self.spacing);
-                }
-            }
-            return origin;
-        }
-        // Rows that alternate between two places keep the same distance to both walls.
-        let part = match (self.pattern, D) {
-            (Pattern::Concentric | Pattern::Stacked, _) => return (low + high) * 0.5,
-            (Pattern::Cubic, _) => [0.5; 3],
-            (Pattern::ClosePacked, 2) => [0.25, 0.5, 0.5],
-            (Pattern::ClosePacked, _) => [0.25, 1.0 / 3.0, 0.5],
-        };
-        let periods = self.periods();
-        low + Vector(std::array::from_fn(|d| part[d] * periods[d] * self.spacing))
     }
 
     /// The first and last lattice indices that may lie in the box; for rings

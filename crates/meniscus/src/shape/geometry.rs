@@ -173,23 +173,28 @@ impl<const D: usize> Shape<D> {
         }
     }
 
-    /// Flat faces that half spaces cut: a point of each, and its outward normal.
+    /// Flat faces that half spaces may cut: a point of each, and its outward unit normal.
     pub fn cuts(&self) -> Vec<(Vector<f64, D>, Vector<f64, D>)> {
-        let half_space = |shape: &Shape<D>, sign: f64| match shape {
-            Shape::HalfSpace { point, normal } => Some((*point, *normal * (sign / normal.norm()))),
+        let of = |shape: &Shape<D>, sign: f64| match shape {
+            Shape::HalfSpace { point, normal } if normal.norm() > 0.0 => {
+                Some((*point, *normal * (sign / normal.norm())))
+            }
             _ => None,
         };
-        let (shapes, sign) = match self {
-            Shape::Intersection(shapes) => (shapes, 1.0),
-            Shape::Difference(_, less) => (less, -1.0),
-            _ => return Vec::new(),
-        };
-        (shapes.iter())
-            .filter_map(|shape| half_space(shape, sign))
-            .collect()
+        match self {
+            Shape::Intersection(shapes) => (shapes.iter())
+                .flat_map(|shape| of(shape, 1.0).into_iter().chain(shape.cuts()))
+                .collect(),
+            Shape::Difference(shape, less) => {
+                let cut = less.iter().filter_map(|less| of(less, -1.0));
+                shape.cuts().into_iter().chain(cut).collect()
+            }
+            _ => Vec::new(),
+        }
     }
 
-    /// The centre of a shape that has one. A shape made of others takes its first part's.
+    /// The centre of a shape that has one. A shape made of others takes that of the first part, an intersection of the
+    /// first part that has one.
     pub fn centre(&self) -> Option<Vector<f64, D>> {
         match self {
             Shape::Ball { centre, .. } | Shape::Ellipsoid { centre, .. } => Some(*centre),
@@ -198,9 +203,8 @@ impl<const D: usize> Shape<D> {
             | Shape::Polygon(_)
             | Shape::Revolved(_)
             | Shape::HalfSpace { .. } => None,
-            Shape::Union(shapes) | Shape::Intersection(shapes) => {
-                shapes.first().and_then(Shape::centre)
-            }
+            Shape::Union(shapes) => shapes.first().and_then(Shape::centre),
+            Shape::Intersection(shapes) => shapes.iter().find_map(Shape::centre),
             Shape::Difference(shape, _) => shape.centre(),
         }
     }

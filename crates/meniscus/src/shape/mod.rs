@@ -8,6 +8,7 @@
 //! - `perpendicular`: unit vectors across a direction
 //! - `rotation`: how a shape or a lattice is turned
 //! - `arrangement`: lattices and rings, and filling a shape with them
+//! - `origin`: where these start
 //! - `rings`: the sites of rings, shells and stacked discs
 //! - `mesh`: surfaces of triangles; `stl`: files of them
 //! - `jitter`: small random displacements, the same for ever
@@ -29,6 +30,7 @@ mod axis;
 mod geometry;
 mod jitter;
 mod mesh;
+mod origin;
 mod perpendicular;
 mod polygon;
 mod revolved;

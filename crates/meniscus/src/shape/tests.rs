@@ -310,8 +310,13 @@ fn a_lattice_starts_half_a_spacing_inside_of_a_flat_face() {
         point: Vector([0.0, 0.0, floor]),
         normal: Vector([0.0, 0.0, 2.0 * upwards]),
     };
+    let high = Shape::HalfSpace {
+        point: Vector([0.0, 0.0, 3.05]),
+        normal: Vector([0.0, 0.0, 1.0]),
+    };
     let cap = [
         Shape::Intersection(vec![ball.clone(), half_space(-1.0)]),
+        Shape::Intersection(vec![half_space(-1.0), ball.clone(), high]),
         Shape::Difference(Box::new(ball), vec![half_space(1.0)]),
     ];
     for cap in cap {

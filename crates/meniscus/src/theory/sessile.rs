@@ -14,8 +14,8 @@ pub struct SessileDrop {
     pub height: f64,
     /// (D - 1) / R at the top, 1/m: the pressure there over sigma.
     pub top_curvature: f64,
-    /// Angle, rad, at which the circle or sphere meets the plate that passes nearest to all its surface: what one finds who takes the
-    /// drop for a cap.
+    /// Angle at which the plate is met by the circle or sphere through its surface, rad: of least squares (algebraic) over all
+    /// of it, what one finds who takes the drop for a cap.
     pub circle_angle: f64,
     /// Radius of the base of that circle or sphere.
     pub circle_base_radius: f64,

@@ -45,7 +45,7 @@ pub(crate) struct Walls<const D: usize> {
     mass: Vec<f64>,
     /// Neighbours of the other kind, and how many lists had been built then.
     meets: Vec<f64>,
-    met: Option<u64>,
+    met_at_build: Option<u64>,
     sums: Vec<Neighbourhood<f64, D>>,
     compression: Compression,
     /// Unit normals of wall particles at t = 0, by number of the particle.

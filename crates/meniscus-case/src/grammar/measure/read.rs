@@ -196,13 +196,7 @@ fn jet(fields: &mut Fields<'_, '_>, end_time: f64) -> Jet {
 /// A vector of any length but none.
 fn direction(node: &mut Node<'_>) -> [f64; 3] {
     let vector = node.vector(&units::NUMBER, Sign::Any);
-    if vector == [0.0; 3] {
-        node.fail(
-            "this vector has no direction".into(),
-            "all its components are zero",
-            "for example [1, 0] in 2D, [1, 0, 0] in 3D",
-        );
-    }
+    node.refuse_zero(&vector);
     vector
 }
 

@@ -26,21 +26,18 @@
 //! - `compression`: what walls do to the density of the fluid
 //! - `walled`: the material of a flow with walls
 //! - `facing`: which way walls face
-//! - `meeting`: where they are beside liquid at all
 //! - `layout`: where wall particles lie
 
 mod compression;
 mod extrapolation;
 mod facing;
 pub mod layout;
-mod meeting;
 mod motion;
 mod walled;
 
 pub use compression::{Compression, Edge, Shared};
 pub use extrapolation::{Extrapolation, Neighbourhood};
 pub use facing::normals;
-pub use meeting::Meeting;
 pub use motion::{Motion, Moved};
 pub use walled::Walled;
 

@@ -16,7 +16,7 @@
 //! Pressure comes by the equation of state as p - q: a drop at rest is not compressed by its surface, and starts at rest.
 //!
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
-//! other (`closeness`). Beside walls they are also put in order (`order`); and one that comes nearer to a wall than half a spacing,
+//! other (`closeness`). Beside walls they are also put in order (`order`), which their density follows (`shift`); and one that comes nearer to a wall than half a spacing,
 //! C_w > 1/3, is pushed off (`push`): by the smooth field of the wall's colour, along which nothing holds it.
 //! Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
@@ -43,7 +43,7 @@ mod shift;
 
 pub use closeness::Closeness;
 pub use load::Load;
-pub use order::{EVERY, Order};
+pub use order::{Order, STEPS_BETWEEN};
 pub use shift::{MeanShift, Shifted, Widening};
 
 use rayon::prelude::*;
@@ -171,10 +171,11 @@ impl<const D: usize> Scratch<D> {
                 return felt;
             }
             felt.force = gradient * (-sigma / spacing);
-            if let Some([wall, deep, wide]) = nodes.beside_walls() {
-                let (wall, towards) = mesh.feel_at(wall, x);
-                felt.place = Place::beside_walls(mesh.feel_at(deep, x), wall);
-                let push = push::push(wall, || mesh.feel_at(wide, x).0) * sigma / spacing.powi(2);
+            if let Some(beside) = nodes.beside_walls() {
+                let (wall, towards) = mesh.feel_at(beside.wall, x);
+                felt.place = Place::beside_walls(mesh.feel_at(beside.deep, x), wall);
+                let push = push::push(wall, || mesh.feel_at(beside.wide_wall, x).0) * sigma
+                    / spacing.powi(2);
                 let push = towards * (-push / towards.norm().max(f64::MIN_POSITIVE));
                 felt.force += push;
                 felt.push = (push, wall);
@@ -214,12 +215,12 @@ impl<const D: usize> Scratch<D> {
         margin: i64,
         borne: &mut [Vector<f64, D>],
     ) {
-        let Some([wall, ..]) = self.nodes.beside_walls() else {
+        let Some(beside) = self.nodes.beside_walls() else {
             return;
         };
         let reaction = &mut self.reaction;
         let tension = surroundings.surface_tension * surroundings.spacing.powi(D as i32 - 2);
-        reaction.start(self.nodes.lines(), wall, tension);
+        reaction.start(self.nodes.lines(), beside.wall, tension);
         let reach = margin as f64 * surroundings.spacing;
         for (&row, felt) in self.held.iter().zip(&self.felt) {
             let (push, wall) = felt.push;

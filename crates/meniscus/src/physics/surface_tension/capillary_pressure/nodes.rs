@@ -108,6 +108,16 @@ pub(super) struct Nodes<const D: usize> {
     fill: Fill<D>,
 }
 
+/// Colours beside walls.
+pub(super) struct BesideWalls<'a> {
+    /// Of walls.
+    pub wall: &'a [f64],
+    /// Of walls, smoothed more.
+    pub wide_wall: &'a [f64],
+    /// Of liquid and walls together, smoothed as much.
+    pub deep: &'a [f64],
+}
+
 /// How far inside of c = 1/2 a flat surface has this colour, dx: that of a step smoothed by a normal distribution.
 fn depth(colour: f64) -> f64 {
     let u = 2.0 * colour - 1.0;
@@ -164,9 +174,13 @@ impl<const D: usize> Nodes<D> {
         self.average(mesh);
     }
 
-    /// The colour of walls, then smoothed more that of liquid and walls together, and that of walls; none without walls.
-    pub fn beside_walls(&self) -> Option<[&[f64]; 3]> {
-        (!self.wall.is_empty()).then_some([&self.wall, &self.deep, &self.wide_wall])
+    /// What there is beside walls; none without.
+    pub fn beside_walls(&self) -> Option<BesideWalls<'_>> {
+        (!self.wall.is_empty()).then_some(BesideWalls {
+            wall: &self.wall,
+            wide_wall: &self.wide_wall,
+            deep: &self.deep,
+        })
     }
 
     /// The force on contact lines, of sigma: as in [`reaction`](super::reaction).

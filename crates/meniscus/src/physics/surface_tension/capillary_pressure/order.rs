@@ -1,7 +1,7 @@
 //! Order among the particles of a liquid that walls hold.
 //!
 //! A contact line pulls at what lies within two spacings of the wall, finer than a kernel spreads; and where p - q is next to
-//! nothing, pressure does not put particles back in order. So after steps of a liquid beside walls, with
+//! nothing, pressure does not put particles back in order. So after every fourth step of a liquid beside walls, with
 //! u = sqrt(sigma / (rho_0 dx)), and D the colour of liquid and walls together, smoothed four times more:
 //!
 //! dx_i/dt = 0.1 u min(|e| - e_0, 1) e / |e| where |e| > e_0, with e_i = sum_j (1 - r_ij / reach)^2 x_ij / r_ij
@@ -25,8 +25,8 @@ use crate::vector::Vector;
 
 /// Largest speed of shifting, u.
 const PACE: f64 = 0.1;
-/// Steps between shifts.
-pub const EVERY: u64 = 4;
+/// Steps from one shift to the next.
+pub const STEPS_BETWEEN: u64 = 4;
 /// Passes of smoothing from the colour to D.
 pub(super) const PASSES: usize = 4;
 /// D between which the surface ends.
@@ -104,24 +104,22 @@ impl Order {
         rows.any(|row| places[row].beside)
     }
 
-    /// From e of particles to their shifts in `dt` seconds, m.
-    pub(crate) fn shifts<const D: usize>(
+    /// The shift of a row with this e in `dt` seconds, m.
+    pub(crate) fn shift<const D: usize>(
         &self,
         surface: &Surface<D>,
-        uneven: &mut [Vector<f64, D>],
+        row: usize,
+        uneven: Vector<f64, D>,
         dt: f64,
-    ) {
-        let places = &surface.capillary_pressure.places;
-        for (place, uneven) in places.iter().zip(uneven) {
-            let mut way = *uneven;
-            way -= place.inward * (place.surface * place.inward.dot(&way));
-            let length = way.norm();
-            let beyond = length - fair(D);
-            *uneven = if place.held && beyond > 0.0 {
-                way * (self.pace * beyond.min(1.0) * dt / length)
-            } else {
-                Vector::ZERO
-            };
+    ) -> Vector<f64, D> {
+        let place = &surface.capillary_pressure.places[row];
+        let way = uneven - place.inward * (place.surface * place.inward.dot(&uneven));
+        let length = way.norm();
+        let beyond = length - fair(D);
+        if place.held && beyond > 0.0 {
+            way * (self.pace * beyond.min(1.0) * dt / length)
+        } else {
+            Vector::ZERO
         }
     }
 }

@@ -4,9 +4,9 @@
 //!
 //! rho_i -> rho_i (1 - div S_i),   div S_i = sum_j V_j (S_j - S_i) . grad W_ij / (1/D sum_j V_j x_ji . grad W_ij)
 //!
-//! with S_i = sum_j V_j s_j W_ij / sum_j V_j W_ij the mean of shifts around, zero for walls. Of the mean, since shifts themselves go
+//! (divided by 0.4 at least), with S_i = sum_j V_j s_j W_ij / sum_j V_j W_ij the mean of shifts around, zero for walls. Of the mean, since shifts themselves go
 //! down the slope of the very sums that density is of: the sum with s_j is negative for whatever shifts that put particles in
-//! order, though they leave the volume as it is, and drops shrink by 3 % where they should not.
+//! order, though they leave the volume as it is, and drops shrink.
 
 use crate::particles::Particles;
 use crate::real::Real;
@@ -70,7 +70,7 @@ pub struct Widening<'a, const D: usize> {
 }
 
 impl<const D: usize> Widening<'_, D> {
-    /// The density, of what it was, of a particle with these sums.
+    /// The factor on the density of a particle with these sums.
     pub fn thinned((filling, divergence): (f64, f64)) -> f64 {
         1.0 - divergence / (filling / D as f64).max(LEAST_FILLING)
     }
