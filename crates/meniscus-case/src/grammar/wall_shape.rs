@@ -111,15 +111,9 @@ fn plane<const D: usize>(node: &mut Node<'_>) -> WallShape<D> {
         let point = point(fields, "point", "The middle of its surface.");
         let about = "The direction from the wall to the liquid, of any length.";
         let normal = fields.required("normal", about, |node| {
-            let normal = Vector::from_3d(node.vector(&units::NUMBER, Sign::Any));
-            if normal == Vector::ZERO {
-                node.fail(
-                    "this normal has no direction".into(),
-                    "all components are zero",
-                    "for example normal = [0, 1]",
-                );
-            }
-            normal
+            let normal = node.vector(&units::NUMBER, Sign::Any);
+            node.refuse_zero(&normal);
+            Vector::from_3d(normal)
         });
         let about = "How far it reaches about the point, in 3D a square. Default: the whole \
                      periodic box.";

@@ -18,9 +18,8 @@ pub(super) struct Shifts<const D: usize> {
 }
 
 impl<const D: usize> Rates<D> {
-    /// Shifts particles, and changes by it the density of those that continuity has it for, where the number of `steps` since the start is a
-    /// whole multiple of some: the last one's `dt` (s) stands for all. After the forces of a step, in whose order of rows it knows
-    /// places.
+    /// Shifts particles, and changes their density by it where it is by continuity, once in [`STEPS_BETWEEN`] of the `steps` since
+    /// the start: the last one's `dt` (s) stands for all. After the forces of a step, in whose order of rows it knows places.
     pub(crate) fn put_in_order(&mut self, particles: &mut Particles<D>, steps: u64, dt: f64) {
         let Some(surface_tension) = self.capillary_tension() else {
             return;

@@ -38,8 +38,8 @@ pub struct Compression {
 
 impl Compression {
     /// Completes (1/rho) D rho / Dt, 1/s, of the fluid by `of_wall`, what the sums of continuity have for the
-    /// rows of walls, with what these know of the fluid; none for those that take no part. Walls themselves are left with none. `touches` holds for rows with
-    /// fluid that meets a wall.
+    /// rows of walls, with what these know of the fluid; none for those that take no part. Walls are left with a rate of
+    /// zero. `touches` holds for rows with fluid that meets a wall.
     pub fn complete<const D: usize>(
         &mut self,
         sweep: &mut impl Sweep<D>,
