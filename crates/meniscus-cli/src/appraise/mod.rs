@@ -19,7 +19,7 @@ mod suite;
 mod time_to_solution;
 mod trial;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -38,6 +38,7 @@ use calibrations::Calibrations;
 use model::{MODELS, Model};
 use score::{Run, Score};
 use suite::Effort;
+use trial::Trial;
 
 /// What to appraise.
 #[derive(Args, Clone, Debug)]
@@ -96,6 +97,7 @@ pub fn appraise(
         None => vec![2, 3],
     };
     trials.retain(|trial| dimensions.contains(&trial.dimension));
+    refuse_nothing(&trials, effort)?;
     let runs = root.join("runs");
     let mut calibrations = Calibrations::new(root.join("calibration.toml"), voice);
     let mut jobs = Vec::new();
@@ -205,16 +207,26 @@ fn command(what: &What) -> String {
     command
 }
 
+fn refuse_nothing(trials: &[Trial], effort: Effort) -> Result<(), Failure> {
+    let words = match (trials.is_empty(), effort) {
+        (false, _) => return Ok(()),
+        (true, Effort::Quick) => {
+            "the quick suite has no such run; without --quick there may be one"
+        }
+        (true, Effort::Full) => "the suite has no such run",
+    };
+    Err(Failure::new(words.to_owned()))
+}
+
 fn refuse_unknown(
     asked: &[String],
     known: impl Iterator<Item = &'static str>,
 ) -> Result<(), Failure> {
-    let mut names: Vec<&str> = known.collect();
-    names.dedup();
-    match asked.iter().find(|test| !names.contains(&test.as_str())) {
+    let known: BTreeSet<&str> = known.collect();
+    match asked.iter().find(|test| !known.contains(test.as_str())) {
         Some(unknown) => Err(Failure::new(format!(
             "there is no test \"{unknown}\"; there are {}",
-            names.join(", ")
+            Vec::from_iter(known).join(", ")
         ))),
         None => Ok(()),
     }

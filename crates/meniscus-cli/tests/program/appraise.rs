@@ -75,6 +75,11 @@ fn unknown_models_and_tests_are_told_what_there_is() {
         .run(&[&FEW[..], &["--tests", "swim"]].concat())
         .code(1);
     has(&test.err, &["swim", "laplace", "swing"]);
+    assert_eq!(test.err.matches("puddle").count(), 1, "{}", test.err);
+    let nothing = place
+        .run(&["appraise", "--tests", "cap", "--dimension", "3", "--quick"])
+        .code(1);
+    has(&nothing.err, &["no such run", "without --quick"]);
     assert!(!place.path("out").exists());
 }
 

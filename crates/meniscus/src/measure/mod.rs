@@ -23,6 +23,7 @@
 //!   [`OscillationSurfaceTension`]
 //! - a fitted power law: [`PowerLaw`]
 
+mod arc;
 mod bag;
 mod base;
 mod circle;

@@ -17,7 +17,7 @@ pub struct SessileDrop {
     /// Angle at which the plate is met by the circle or sphere through its surface, rad: of least squares (algebraic) over all
     /// of it, what one finds who takes the drop for a cap.
     pub circle_angle: f64,
-    /// Radius of the base of that circle or sphere.
+    /// Radius of the base of that circle or sphere, m; NaN where it does not meet the plate.
     pub circle_base_radius: f64,
 }
 
@@ -99,7 +99,7 @@ fn descend(curvature: f64, angle: f64, length: f64, dimension: usize) -> (Sessil
     let (depth, radius) = circle.fitted();
     let drop = SessileDrop {
         circle_angle: ((depth - height) / radius).clamp(-1.0, 1.0).acos(),
-        circle_base_radius: (radius.powi(2) - (depth - height).powi(2)).max(0.0).sqrt(),
+        circle_base_radius: (radius.powi(2) - (depth - height).powi(2)).sqrt(),
         base_radius,
         height,
         top_curvature: curvature,

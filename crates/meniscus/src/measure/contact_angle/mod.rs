@@ -27,7 +27,7 @@ const WALL_UNKNOWN: f64 = 0.1;
 const LAYER: f64 = 0.75;
 /// How far from the contact line the local fit reaches: so many spacings, and up to these parts of
 /// the height and of the wetted radius.
-const LOCAL: f64 = 10.0;
+const LOCAL: f64 = 14.0;
 const LOCAL_HEIGHT: f64 = 0.75;
 const LOCAL_RADIUS: f64 = 0.75;
 /// How far particles of one piece are apart at most, in spacings, and the part of all that the largest
@@ -64,12 +64,11 @@ impl DropOnWall {
     /// The surface is a level set of the liquid's smoothed colour, whatever the order of the particles. Of drops at least eight spacings
     /// high, cut from lattices at any angle with and without
     /// disorder, `circle` finds 10 to 150 degrees within 1.2 degrees. `circle_radius` is good to
-    /// 0.6 spacings, `wetted_radius` to one, at 10 degrees to two and a half. `tangent` has only the points within ten
-    /// spacings of the contact line and those of the lower outer profile: in 2D it is within
-    /// 8 degrees (16 above 90), in 3D within 5; averages over time do better. Intervals are those
+    /// 0.6 spacings, `wetted_radius` to one, at 10 degrees to two and a half. `tangent` has only the points within fourteen
+    /// spacings of the contact line and those of the lower outer profile: in 2D it is within 6 degrees, 9 above 90 and 12
+    /// above 120, in 3D within 3; averages over time do better. Intervals are those
     /// of the fits, with 0.2 spacings for where the surface lies and 0.1 for the wall. The
-    /// height is good to half a spacing. On round walls of twenty spacings or more it is the same, but for
-    /// `tangent`, within 12 degrees at 90 in 2D.
+    /// height is good to half a spacing. On round walls of twenty spacings or more it is the same.
     pub fn measure<const D: usize>(
         positions: &[Vector<f64, D>],
         masses: &[f64],
