@@ -45,8 +45,8 @@ impl<const D: usize> Rates<D> {
             *shift = order.shift(surface, row, *shift, time);
         }
         (self.pairs).sweep(&MeanShift { shifts }, particles, minds, around);
-        let is_wall = self.walls.bodies();
-        let widened = Widening { around, is_wall };
+        let walls = self.walls.bodies();
+        let widened = Widening { around, walls };
         (self.pairs).sweep(&widened, particles, minds, widening);
         let by_continuity = self.scheme.density != DensityForm::Summation;
         for (row, (shift, sums)) in shifts.iter().zip(widening).enumerate() {

@@ -224,7 +224,7 @@ impl<const D: usize> Rates<D> {
         let load = Load {
             curvature: &self.surface.curvature,
             surface_tension: sigma,
-            is_wall: self.walls.bodies(),
+            walls: self.walls.bodies(),
         };
         let walls = &self.walls;
         let of_wet_wall = |rows| walls.has_wet_wall(particles, rows);

@@ -6,13 +6,14 @@ use std::ops::Range;
 use super::Walls;
 use crate::pairs::Pairs;
 use crate::particles::Particles;
+use crate::physics::wall::WallBodies;
 use crate::real::Real;
 use crate::term::{Pair, PairTerm, Sweep};
 
 /// Sums to the number of neighbours of the other kind in the list, beyond the kernel's support too: no formula of physics.
 #[derive(Clone, Copy)]
 struct Meeting<'a> {
-    is_wall: &'a [bool],
+    walls: WallBodies<'a>,
 }
 
 impl<const D: usize> PairTerm<D> for Meeting<'_> {
@@ -22,9 +23,9 @@ impl<const D: usize> PairTerm<D> for Meeting<'_> {
     const OFTEN: bool = false;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> f64 {
-        match self.is_wall.get(usize::from(particles.body[i])) {
-            Some(true) => 1.0,
-            _ => 0.0,
+        match self.walls.hold(particles.body[i]) {
+            true => 1.0,
+            false => 0.0,
         }
     }
 
@@ -40,8 +41,8 @@ impl<const D: usize> Walls<D> {
         if self.is_empty() || self.met_at_build == Some(pairs.builds()) {
             return;
         }
-        let is_wall = &self.is_wall;
-        pairs.sweep(&Meeting { is_wall }, particles, |_| true, &mut self.meets);
+        let walls = WallBodies(&self.is_wall);
+        pairs.sweep(&Meeting { walls }, particles, |_| true, &mut self.meets);
         self.met_at_build = Some(pairs.builds());
     }
 

@@ -22,7 +22,7 @@ use crate::physics::equation_of_state::Tait;
 use crate::physics::surface_tension::balanced::Wetting;
 use crate::physics::wall::{
     Adhesion, Bearing, Compression, Extrapolation, Motion, Moved, Neighbourhood, Slip, Wall,
-    Walled, normals,
+    WallBodies, Walled, normals,
 };
 use crate::term::Sweep;
 use crate::vector::Vector;
@@ -123,12 +123,12 @@ impl<const D: usize> Walls<D> {
 
     /// Whether a body is a wall.
     pub(crate) fn is_wall(&self, body: u16) -> bool {
-        self.is_wall.get(usize::from(body)) == Some(&true)
+        self.bodies().hold(body)
     }
 
-    /// Whether each body is a wall, as far as there are walls.
-    pub(crate) fn bodies(&self) -> &[bool] {
-        &self.is_wall
+    /// Which bodies are walls.
+    pub(crate) fn bodies(&self) -> WallBodies<'_> {
+        WallBodies(&self.is_wall)
     }
 
     /// Whether any of these rows is of a wall with liquid beside it.
@@ -176,7 +176,7 @@ impl<const D: usize> Walls<D> {
         self.meet(pairs, particles);
         let mut sums = std::mem::take(&mut self.sums);
         let near = Extrapolation {
-            is_wall: &self.is_wall,
+            walls: self.bodies(),
         };
         let wet = |rows| self.may_be_wet(particles, rows);
         pairs.sweep(&near, particles, wet, &mut sums);

@@ -6,11 +6,13 @@ use crate::record;
 use crate::term::{Pair, PairTerm};
 use crate::vector::Vector;
 
+use super::bodies::WallBodies;
+
 /// Sums over the fluid alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Extrapolation<'a> {
-    /// Per body: whether it is a wall. Bodies beyond are not.
-    pub is_wall: &'a [bool],
+    /// What is no fluid.
+    pub walls: WallBodies<'a>,
 }
 
 record! {
@@ -52,7 +54,7 @@ impl<const D: usize> PairTerm<D> for Extrapolation<'_> {
     type Sum<R: Real> = Neighbourhood<R, D>;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Source<f64, D> {
-        let wall = self.is_wall.get(particles.body[i] as usize) == Some(&true);
+        let wall = self.walls.hold(particles.body[i]);
         let weight = if wall { 0.0 } else { 1.0 };
         Source {
             weight,

@@ -21,6 +21,7 @@
 //! between fluid and wall act on both: m_w times the sum of a wall particle is the force
 //! that the fluid exerts on it.
 //!
+//! - `bodies`: which bodies are walls
 //! - `motion`: how a wall moves
 //! - `extrapolation`: the sums above
 //! - `compression`: what walls do to the density of the fluid
@@ -28,6 +29,7 @@
 //! - `facing`: which way walls face
 //! - `layout`: where wall particles lie
 
+mod bodies;
 mod compression;
 mod extrapolation;
 mod facing;
@@ -35,6 +37,7 @@ pub mod layout;
 mod motion;
 mod walled;
 
+pub use bodies::WallBodies;
 pub use compression::{Compression, Edge, Shared};
 pub use extrapolation::{Extrapolation, Neighbourhood};
 pub use facing::normals;

@@ -6,6 +6,7 @@
 use super::order;
 use crate::kernel::Kernel;
 use crate::particles::Particles;
+use crate::physics::wall::WallBodies;
 use crate::real::Real;
 use crate::term::{Pair, PairTerm};
 use crate::vector::Vector;
@@ -19,8 +20,7 @@ const STIFFNESS: f64 = 5.0;
 /// each between two of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Closeness<'a> {
-    /// Whether a body is a wall.
-    is_wall: &'a [bool],
+    walls: WallBodies<'a>,
     /// 0.8 dx, m
     rest: f64,
     /// K sigma / (rho_0 dx^3), 1/s^2
@@ -29,9 +29,9 @@ pub struct Closeness<'a> {
 
 impl<'a> Closeness<'a> {
     /// Of a surface tension in N/m, a density at rest in kg/m^3 and a spacing in m.
-    pub fn new(surface_tension: f64, density: f64, spacing: f64, is_wall: &'a [bool]) -> Self {
+    pub fn new(surface_tension: f64, density: f64, spacing: f64, walls: WallBodies<'a>) -> Self {
         Self {
-            is_wall,
+            walls,
             rest: REST * spacing,
             stiffness: STIFFNESS * surface_tension / (density * spacing.powi(3)),
         }
@@ -57,7 +57,7 @@ impl<const D: usize> PairTerm<D> for Closeness<'_> {
     const OFTEN: bool = false;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> f64 {
-        if self.is_wall.get(usize::from(particles.body[i])) == Some(&true) {
+        if self.walls.hold(particles.body[i]) {
             0.0
         } else {
             1.0

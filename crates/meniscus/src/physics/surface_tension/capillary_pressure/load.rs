@@ -5,6 +5,7 @@
 //! of a wall's particle i, over liquid j.
 
 use crate::particles::Particles;
+use crate::physics::wall::WallBodies;
 use crate::real::Real;
 use crate::term::{Pair, PairTerm};
 use crate::vector::Vector;
@@ -16,8 +17,8 @@ pub struct Load<'a> {
     pub curvature: &'a [f64],
     /// sigma, N/m
     pub surface_tension: f64,
-    /// Whether a body is a wall.
-    pub is_wall: &'a [bool],
+    /// What is no liquid.
+    pub walls: WallBodies<'a>,
 }
 
 impl<const D: usize> PairTerm<D> for Load<'_> {
@@ -27,7 +28,7 @@ impl<const D: usize> PairTerm<D> for Load<'_> {
     const OFTEN: bool = false;
 
     fn record(&self, particles: &Particles<D>, i: usize) -> (f64, f64) {
-        let is_wall = self.is_wall.get(usize::from(particles.body[i])) == Some(&true);
+        let is_wall = self.walls.hold(particles.body[i]);
         (
             self.surface_tension * self.curvature[i],
             if is_wall { 0.0 } else { particles.volume(i) },

@@ -9,6 +9,7 @@
 //! order, though they leave the volume as it is, and drops shrink.
 
 use crate::particles::Particles;
+use crate::physics::wall::WallBodies;
 use crate::real::Real;
 use crate::record;
 use crate::term::{Pair, PairTerm};
@@ -65,8 +66,8 @@ impl<const D: usize> PairTerm<D> for MeanShift<'_, D> {
 pub struct Widening<'a, const D: usize> {
     /// Sums of [`MeanShift`].
     pub around: &'a [Shifted<f64, D>],
-    /// Whether a body is a wall.
-    pub is_wall: &'a [bool],
+    /// What is no liquid.
+    pub walls: WallBodies<'a>,
 }
 
 impl<const D: usize> Widening<'_, D> {
@@ -84,7 +85,7 @@ impl<const D: usize> PairTerm<D> for Widening<'_, D> {
 
     fn record(&self, particles: &Particles<D>, i: usize) -> Shifted<f64, D> {
         let around = &self.around[i];
-        let is_wall = self.is_wall.get(usize::from(particles.body[i])) == Some(&true);
+        let is_wall = self.walls.hold(particles.body[i]);
         Shifted {
             volume: particles.volume(i),
             shift: match is_wall || around.volume == 0.0 {
