@@ -42,7 +42,8 @@ impl<const D: usize> Rates<D> {
         near.sweep(&order, particles, minds, shifts);
         let time = STEPS_BETWEEN as f64 * dt;
         for (row, shift) in shifts.iter_mut().enumerate() {
-            *shift = order.shift(surface, row, *shift, time);
+            let speed = particles.velocity[row].norm();
+            *shift = order.shift(surface, row, *shift, speed, time);
         }
         (self.pairs).sweep(&MeanShift { shifts }, particles, minds, around);
         let walls = self.walls.bodies();

@@ -4,10 +4,11 @@
 //! nothing, pressure does not put particles back in order. So after every fourth step of a liquid beside walls, with
 //! u = sqrt(sigma / (rho_0 dx)), and D the colour of liquid and walls together, smoothed four times more:
 //!
-//! dx_i/dt = 0.1 u min(|e| - e_0, 1) e / |e| where |e| > e_0, with e_i = sum_j (1 - r_ij / reach)^2 x_ij / r_ij
+//! dx_i/dt = min(0.1 u, |v_i|) min(|e| - e_0, 1) e / |e| where |e| > e_0, with e_i = sum_j (1 - r_ij / reach)^2 x_ij / r_ij
 //!
-//! Particle shifting (Xu, Stansby and Laurence 2009; Lind et al. 2012), slower than capillary waves of a spacing, and none among
-//! particles in fair order. Nothing is shifted out of the surface: where D < 0.75 e loses its part along grad D, and less of
+//! Particle shifting (Xu, Stansby and Laurence 2009; Lind et al. 2012), slower than capillary waves of a spacing and than the
+//! particle itself, and none among particles in fair order. It is motion that brings disorder; at a foot at rest, whose pull is
+//! never even, shifts that went on would stir the liquid for ever, by 0.03 sqrt(sigma / (rho R)) where there is 0.003 so. Nothing is shifted out of the surface: where D < 0.75 e loses its part along grad D, and less of
 //! it up to D = 0.9. It is D which tells, since the surface of the colour itself runs along the wall under a foot of one particle,
 //! whose shifts would draw it out, and around voids, which shifts are to close.
 //!
@@ -104,12 +105,13 @@ impl Order {
         rows.any(|row| places[row].beside)
     }
 
-    /// The shift of a row with this e in `dt` seconds, m.
+    /// The shift of a row with this e and `speed` (m/s) in `dt` seconds, m.
     pub(crate) fn shift<const D: usize>(
         &self,
         surface: &Surface<D>,
         row: usize,
         uneven: Vector<f64, D>,
+        speed: f64,
         dt: f64,
     ) -> Vector<f64, D> {
         let place = &surface.capillary_pressure.places[row];
@@ -117,7 +119,7 @@ impl Order {
         let length = way.norm();
         let beyond = length - fair(D);
         if place.held && beyond > 0.0 {
-            way * (self.pace * beyond.min(1.0) * dt / length)
+            way * (self.pace.min(speed) * beyond.min(1.0) * dt / length)
         } else {
             Vector::ZERO
         }
