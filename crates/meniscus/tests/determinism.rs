@@ -100,16 +100,19 @@ fn a_resume_does_not_change_a_bit() {
     same_after_resume(setup);
 }
 
-/// A plate under the drop.
-fn add_plate(setup: &mut Setup<2>, adhesion: Adhesion) {
-    let plate = Layers::new(0.12, 0.48, 1000).plane(Vector([0.0, -1.1]), Vector([0.0, 1.0]), 3.0);
+/// A plate under the drop of particles this far apart.
+fn add_plate<const D: usize>(setup: &mut Setup<D>, spacing: f64, adhesion: Adhesion) {
+    let (mut below, mut up) = (Vector::ZERO, Vector::ZERO);
+    below[D - 1] = -1.1;
+    up[D - 1] = 1.0;
+    let plate = Layers::new(spacing, 4.0 * spacing, 1000).plane(below, up, 3.0);
     let plate = plate.expect("it fits");
     setup
         .particles
         .extend(plate.iter().map(|&position| Particle {
             position,
             velocity: Vector::ZERO,
-            mass: 0.12 * 0.12,
+            mass: spacing.powi(D as i32),
             fluid: 0,
             body: 1,
         }));
@@ -127,7 +130,7 @@ fn pairwise_forces_keep_the_promise_too() {
         curvature: Curvature::Consistent,
         ..Akinci::default()
     })));
-    add_plate(&mut setup, Adhesion::Coefficient(20.0));
+    add_plate(&mut setup, 0.12, Adhesion::Coefficient(20.0));
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }
@@ -140,7 +143,7 @@ fn balanced_surface_tension_keeps_the_promise_too() {
     setup.scheme.surface_tension = Some(SurfaceTension::Balanced(Balanced));
     same_on_threads(setup.clone());
     same_after_resume(setup.clone());
-    add_plate(&mut setup, Adhesion::ContactAngle(1.2));
+    add_plate(&mut setup, 0.12, Adhesion::ContactAngle(1.2));
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }
@@ -153,17 +156,20 @@ fn total_variation_keeps_the_promise_too() {
     same_after_resume(setup);
 }
 
-/// A drop, and one that wets a plate.
+/// A drop, and one that wets a plate, in the plane and in space.
 #[test]
 fn capillary_pressure_keeps_the_promise_too() {
     let mut setup = free_drop::<3>(0.3, 0.1);
     setup.scheme.surface_tension = Some(SurfaceTension::CapillaryPressure(CapillaryPressure));
     setup.scheme.viscosity = ViscosityForm::StressAndRest;
     same_on_threads(setup.clone());
+    same_after_resume(setup.clone());
+    add_plate(&mut setup, 0.3, Adhesion::ContactAngle(1.2));
+    same_on_threads(setup.clone());
     same_after_resume(setup);
     let mut setup = free_drop::<2>(0.12, 0.1);
     setup.scheme.surface_tension = Some(SurfaceTension::CapillaryPressure(CapillaryPressure));
-    add_plate(&mut setup, Adhesion::ContactAngle(1.2));
+    add_plate(&mut setup, 0.12, Adhesion::ContactAngle(1.2));
     same_on_threads(setup.clone());
     same_after_resume(setup);
 }
