@@ -1,4 +1,4 @@
-//! Particles of a liquid that walls hold are put in order, where capillary pressure asks for it.
+//! Particles of a liquid beside walls are put in order, where capillary pressure asks for it.
 
 use super::Rates;
 use crate::particles::Particles;
@@ -38,7 +38,7 @@ impl<const D: usize> Rates<D> {
         let Some(near) = self.pairs.second() else {
             return;
         };
-        let minds = |rows| Order::minds(surface, rows);
+        let minds = |rows| Order::is_beside_wall(surface, rows);
         near.sweep(&order, particles, minds, shifts);
         let time = STEPS_BETWEEN as f64 * dt;
         for (row, shift) in shifts.iter_mut().enumerate() {

@@ -1,22 +1,24 @@
-//! Order among the particles of a liquid that walls hold.
+//! Order among the particles of a liquid near walls.
 //!
 //! A contact line pulls at what lies within two spacings of the wall, finer than a kernel spreads; and where p - q is next to
-//! nothing, pressure does not put particles back in order. So after every fourth step of a liquid beside walls, with
+//! nothing, pressure does not put particles back in order. So after every fourth step, of particles that see the smoothed colour of a
+//! wall, some three spacings from it, with
 //! u = sqrt(sigma / (rho_0 dx)), and D the colour of liquid and walls together, smoothed four times more:
 //!
 //! dx_i/dt = min(0.1 u, |v_i|) min(|e| - e_0, 1) e / |e| where |e| > e_0, with e_i = sum_j (1 - r_ij / reach)^2 x_ij / r_ij
 //!
 //! Particle shifting (Xu, Stansby and Laurence 2009; Lind et al. 2012), slower than capillary waves of a spacing and than the
 //! particle itself, and none among particles in fair order. It is motion that brings disorder; at a foot at rest, whose pull is
-//! never even, shifts that went on would stir the liquid for ever, by 0.03 sqrt(sigma / (rho R)) where there is 0.003 so. Nothing is shifted out of the surface: where D < 0.75 e loses its part along grad D, and less of
-//! it up to D = 0.9. It is D which tells, since the surface of the colour itself runs along the wall under a foot of one particle,
+//! never even, shifts that went on would stir the liquid for ever, by 0.03 sqrt(sigma / (rho R)) where there is 0.003 so.
+//!
+//! Nothing is shifted out of the surface: where D < 0.75 e loses its part along grad D, and less of it up to D = 0.9. It is D which tells, since the surface of the colour itself runs along the wall under a foot of one particle,
 //! whose shifts would draw it out, and around voids, which shifts are to close.
 //!
 //! What shifts do to the distance of particles they do to density ([`shift`](super::shift)); not counted, drops on plates grow by a
 //! tenth in some ten capillary times. One shift stands for those of four steps.
 //!
-//! In two dimensions reach = 1.5 dx and e_0 = 0.15, in three 2 dx and 0.1. Velocities stay, and momentum with them. Free bodies need
-//! no such order, and get none.
+//! In two dimensions reach = 1.5 dx and e_0 = 0.15, in three 2 dx and 0.1. Velocities stay, and momentum with them. Liquid
+//! away from walls needs no such order, and gets none.
 
 use crate::particles::Particles;
 use crate::physics::surface_tension::surface::Surface;
@@ -46,8 +48,6 @@ const fn fair(dimension: usize) -> f64 {
 /// Where a particle is, as far as its order needs it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Place<const D: usize> {
-    /// Whether it is of a liquid that walls hold.
-    held: bool,
     /// The share of e along `inward` that is taken away; 1 on the surface, 0 inside.
     surface: f64,
     /// The direction of grad D.
@@ -61,7 +61,6 @@ impl<const D: usize> Place<D> {
     pub(super) fn beside_walls((deep, inward): (f64, Vector<f64, D>), wall: f64) -> Self {
         let [from, to] = SURFACE;
         Self {
-            held: true,
             surface: 1.0 - ((deep - from) / (to - from)).clamp(0.0, 1.0),
             inward: inward * (1.0 / inward.norm().max(f64::MIN_POSITIVE)),
             beside: wall > 0.0,
@@ -87,16 +86,7 @@ impl Order {
         }
     }
 
-    /// Whether any of these rows is put in order, as of the last force.
-    pub(crate) fn minds<const D: usize>(
-        surface: &Surface<D>,
-        mut rows: std::ops::Range<usize>,
-    ) -> bool {
-        let places = &surface.capillary_pressure.places;
-        rows.any(|row| places[row].held)
-    }
-
-    /// Whether any of these rows is of liquid beside a wall, as of the last find.
+    /// Whether any of these rows is of liquid beside a wall, which is put in order, as of the last force.
     pub(crate) fn is_beside_wall<const D: usize>(
         surface: &Surface<D>,
         mut rows: std::ops::Range<usize>,
@@ -118,7 +108,7 @@ impl Order {
         let way = uneven - place.inward * (place.surface * place.inward.dot(&uneven));
         let length = way.norm();
         let beyond = length - fair(D);
-        if place.held && beyond > 0.0 {
+        if place.beside && beyond > 0.0 {
             way * (self.pace.min(speed) * beyond.min(1.0) * dt / length)
         } else {
             Vector::ZERO
