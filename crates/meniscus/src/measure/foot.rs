@@ -53,7 +53,7 @@ impl Foot {
         };
         let start = arc.nearest(*lowest);
         let extent = lowest[0].hypot(lowest[1]);
-        let end = start - FAR * extent.min(PI / arc.curvature().abs() / FAR);
+        let end = start - (FAR * extent).min(PI / arc.curvature().abs());
         // Down to the wall, or to where it is nearest.
         let bottom = last(climbs, start, end);
         let s = match above(bottom) > 0.0 {
