@@ -11,8 +11,11 @@
 //! particle itself, and none among particles in fair order. It is motion that brings disorder; at a foot at rest, whose pull is
 //! never even, shifts that went on would stir the liquid for ever, by 0.03 sqrt(sigma / (rho R)) where there is 0.003 so.
 //!
-//! Nothing is shifted out of the surface: where D < 0.75 e loses its part along grad D, and less of it up to D = 0.9. It is D which tells, since the surface of the colour itself runs along the wall under a foot of one particle,
-//! whose shifts would draw it out, and around voids, which shifts are to close.
+//! The speed is that in the frame of the case: liquid that moving walls carry along is shifted at full pace though it rests on them.
+//!
+//! Nothing is shifted out of the surface: where D < 0.75 e loses its part along grad D, and less of it up to D = 0.9. It is D which
+//! tells, since the surface of the colour itself runs along the wall under a foot of one particle, whose shifts would draw it out,
+//! and around voids, which shifts are to close.
 //!
 //! What shifts do to the distance of particles they do to density ([`shift`](super::shift)); not counted, drops on plates grow by a
 //! tenth in some ten capillary times. One shift stands for those of four steps.
