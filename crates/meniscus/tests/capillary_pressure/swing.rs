@@ -36,6 +36,6 @@ fn a_drop_swings_with_the_period_of_theory() {
     // Half a period lies between two of them, however the motion began.
     let half = crossings[1] - crossings[0];
     let expected = std::f64::consts::PI / theory.angular_frequency;
-    // A lattice's ellipse is one within some hundredths; the frequency of this model at eight spacings within two.
-    assert!((half / expected - 1.0).abs() < 0.04, "{half} of {expected}");
+    // A lattice's ellipse is one within some hundredths; the frequency of this model at eight spacings within one.
+    assert!((half / expected - 1.0).abs() < 0.03, "{half} of {expected}");
 }

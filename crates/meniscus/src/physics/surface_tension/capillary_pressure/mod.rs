@@ -10,14 +10,14 @@
 //! gradient is that of a field on a mesh, exact for whatever particles.
 //!
 //! The field is found in a few passes over a mesh of the particles' spacing (`nodes`): smoothed colour, curvature of its
-//! level sets, the mean of that over the surface, sharpened by what the smoothing took from long ripples. At the contact line
+//! level sets, the mean of that over the surface, sharpened by what the smoothing took from long ripples; inside it is harmonic (`inward`). At the contact line
 //! q feels how far the angle is from that of Young, as in the derivative of an energy, the area of the surface and the wet wall's.
 //!
 //! Pressure comes by the equation of state as p - q: a drop at rest is not compressed by its surface, and starts at rest.
 //!
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
 //! other (`closeness`). Beside walls they are also put in order (`order`), which their density follows (`shift`); and one that comes nearer to a wall than half a spacing,
-//! C_w > 1/3, is pushed off (`push`): by the smooth field of the wall's colour, along which nothing holds it.
+//! C_w > 0.353, is pushed off (`push`): by the smooth field of the wall's colour, along which nothing holds it.
 //! Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
 //! Walls take the pressure p - q of the liquid beside them, and bear q as well (`load`), their push and the pull of contact lines
@@ -26,13 +26,17 @@
 //! Nothing but these holds a contact line: what the pressure p - q of a half wet wall does along it is taken off
 //! ([`Edge`](crate::physics::wall::Edge)).
 //!
-//! - `nodes`: kappa; `normals`: which way the surface faces, beside walls too; `facing`: which way walls do; `even`: means that keep what they mean
+//! - `nodes`: kappa; `normals`: which way the surface faces, beside walls too; `facing`: which way walls do; `even`: means that keep what they mean;
+//!   `inward`: kappa inside
 
 mod closeness;
 mod even;
 #[cfg(test)]
 mod exact_drops;
+#[cfg(test)]
+mod exact_surfaces;
 mod facing;
+mod inward;
 mod load;
 mod nodes;
 mod normals;

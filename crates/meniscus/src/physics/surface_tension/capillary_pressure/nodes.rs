@@ -1,7 +1,7 @@
 //! Curvature of the surface, on the nodes of a mesh of spacing dx. With the volume V0 of a particle in cells, B
-//! the cubic B-spline of the mesh, S two passes of (1/4, 1/2, 1/4):
+//! the cubic B-spline of the mesh, S two passes of (1/4, 1/2, 1/4), P three:
 //!
-//! - C = S sum_j V0 B(x - x_j), and of the walls C_w; c = C / (1 - C_w)       colour, 1 inside
+//! - C = P sum_j V0 B(x - x_j), and of the walls C_w; c = C / (1 - C_w)       colour, 1 inside
 //! - n = grad c / |grad c|, with the gradient of the cubic spline through c; beside walls as in [`normals`](super::normals)
 //! - g = 30/0.6^5 ((c - 0.2)(0.8 - c))^2 |grad c| between 0.2 and 0.8, zero else: of integral one through the surface
 //! - k = div(-n) / (1 + div(-n) z(c) / (D - 1))
@@ -14,13 +14,13 @@
 //!
 //! A level set at a depth z under the surface has a radius smaller by z. So k is what the level set of c = 1/2 would have, by the
 //! depth z(c) that a colour has under a flat surface: it hardly changes across the surface (by 0.4 % over three spacings on a disc of 7 dx,
-//! where div(-n) changes by a quarter), and p - q vanishes inside a drop at rest.
+//! where div(-n) changes by a quarter), so the closest point of a node hardly matters.
 //!
-//! kappa_1 undoes what spreading, smoothing and differences take: a ripple loses k^2 v / 2 by a variance v
-//! of 3.5 dx^2 in all (spline 1/3, passes 1 and 1, gradient, divergence and interpolation 1/3 each, and the extension), and
-//! one smoothing more, of 1 dx^2, tells how much that is: f = 3.5. Smoothed, the level set of a ball lies deeper than its surface, and
-//! is more curved: b = 0.88 in two dimensions and 1.47 in three (exact discs and balls of 5 to 14 dx: 0.86 to 0.97, 1.45 to 1.49; by theory of the spread
-//! alone 2/3 and 4/3).
+//! kappa_1 undoes what spreading, smoothing and differences take: a ripple of wave number k loses k^2 v / 2 by a variance v of all
+//! steps, some 4.2 dx^2 (spline 1/3, passes 3/2 and 1, gradient, divergence, and two interpolations of 1/3 each), and
+//! one smoothing more, of 1 dx^2, tells how much that is: f = 4.8, by exact ripples of a flat surface. Smoothed, the level set of a ball lies
+//! deeper than its surface, and is more curved: b = 1.12 in two dimensions and 1.9 in three, by exact discs and balls (by theory of the spread
+//! alone 0.92 and 1.83).
 //!
 //! The contact line's part is T's of grad s . (n - cos(theta) n_w) over the surface, where s falls from 1 to 0 through the surface of a wall, n_w is the
 //! unit vector into it, and n . n_w is corrected on round walls as in [`facing`](super::facing). It is the derivative of the area of the surface and of the
@@ -28,44 +28,50 @@
 //! lie (by 0.05 sigma on inclined walls with s from C_w = 0.3 to 0.7; 0.01 with 0.1 to 0.9). It is not sharpened, or the pull of a contact line that starts
 //! far from its angle tears the liquid.
 //!
-//! Beyond the surface kappa goes on as in [`Mesh::fill`].
+//! Through the surface and beyond it goes on as in [`inward`](super::inward).
 
 use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
-use super::super::mesh::{Fill, Layered, Mesh};
+use super::super::mesh::{Layered, Mesh};
 use super::even::Even;
 use super::facing::{self, Facing, unit};
+use super::inward::{Found, Inward};
 use super::normals;
 use super::order;
 use crate::vector::Vector;
 
-/// Passes of smoothing of the colour, and of the curvature.
-pub(super) const PASSES: usize = 2;
-/// Nodes that a mesh reaches beyond its particles: colour reaches four. The colour of a wall goes on beyond a contact line, and
+/// Passes of smoothing of the colour.
+pub(super) const PASSES: usize = 3;
+/// Those of the curvature.
+const MEAN: usize = 2;
+/// Nodes that a mesh reaches beyond its particles: colour reaches five. The colour of a wall goes on beyond a contact line, and
 /// is to be right up to four nodes from there. Beyond a periodic face there are more of them,
 /// whose curvature is smoothed into that of the last.
-pub(super) const MARGIN: i64 = 6;
-pub(super) const WALLED_MARGIN: i64 = 8;
-pub(super) const PERIODIC_MARGIN: i64 = 13;
+pub(super) const MARGIN: i64 = 7;
+pub(super) const WALLED_MARGIN: i64 = 9;
+pub(super) const PERIODIC_MARGIN: i64 = 14;
 /// Colours between which the surface lies.
 const SURFACE: [f64; 2] = [0.2, 0.8];
+/// Colour down to which it has a direction.
+pub(super) const OUTERMOST: f64 = 0.02;
 /// What colour at a node and its spline may differ by.
 const LEEWAY: f64 = 0.05;
 /// Slope of the colour below which it has no direction, 1/dx.
-const LEAST_SLOPE: f64 = 0.02;
+pub(super) const LEAST_SLOPE: f64 = 0.02;
 /// Colours of a wall between which s ends, about that of its surface.
 const WALL: [f64; 2] = [0.1, 0.9];
 /// Colour of a wall from which on nothing is divided by what it leaves.
 const SOLID: f64 = 0.995;
 /// f
-const SHARPENING: f64 = 3.5;
+const SHARPENING: f64 = 4.8;
+
 /// Variance of the colour's profile along each axis, dx^2: spline 1/3, passes 1/2 each.
 pub(super) const VARIANCE: f64 = 1.0 / 3.0 + 0.5 * PASSES as f64;
 /// b
 const fn deeper(dimension: usize) -> f64 {
-    if dimension == 3 { 1.47 } else { 0.88 }
+    if dimension == 3 { 1.9 } else { 1.12 }
 }
 /// Least of what curvatures are divided by.
 const SHALLOWEST: f64 = 0.3;
@@ -74,8 +80,6 @@ const LEAST_SURFACE: f64 = 0.05;
 const MOST_PULLED: f64 = 0.5;
 /// Up to which squared curvature, 1/dx^2, that is taken to be so.
 const MOST_CURVED: f64 = 0.04;
-/// Weight of the surroundings in the extension of the curvature, beside that of the surface, up to 0.3.
-const EXTENSION: f64 = 0.1;
 
 /// Fields on the nodes, lengths in distances of nodes.
 #[derive(Debug, Default)]
@@ -105,7 +109,7 @@ pub(super) struct Nodes<const D: usize> {
     smooth_weight: Vec<f64>,
     even: Even,
     spare: Vec<f64>,
-    fill: Fill<D>,
+    inward: Inward<D>,
 }
 
 /// Colours beside walls.
@@ -119,7 +123,7 @@ pub(super) struct BesideWalls<'a> {
 }
 
 /// How far inside of c = 1/2 a flat surface has this colour, dx: that of a step smoothed by a normal distribution.
-fn depth(colour: f64) -> f64 {
+pub(super) fn depth(colour: f64) -> f64 {
     let u = 2.0 * colour - 1.0;
     let v = u * u;
     // The inverse of the error function.
@@ -167,7 +171,7 @@ impl<const D: usize> Nodes<D> {
             }
         }
         self.facing.find(mesh, &self.wall);
-        let bounds = [SURFACE[0] - LEEWAY, SURFACE[1] + LEEWAY];
+        let bounds = [OUTERMOST, SURFACE[1] + LEEWAY];
         let (colour, wall) = (&self.colour, &self.wall);
         self.normals.find(mesh, colour, wall, &self.facing, bounds);
         self.weigh(mesh);
@@ -268,14 +272,14 @@ impl<const D: usize> Nodes<D> {
         let walled = !self.line.is_empty();
         let spare = &mut self.spare;
         self.surface.clone_from(&self.weight);
-        mesh.smooth(&mut self.surface, spare, PASSES);
+        mesh.smooth(&mut self.surface, spare, MEAN);
         self.smooth_weight.clone_from(&self.surface);
         if walled {
             let (weight, smooth) = (&mut self.weight, &mut self.smooth_weight);
             let along = [&mut self.pull, &mut self.line];
-            self.even.out(mesh, PASSES, weight, smooth, along, spare);
+            self.even.out(mesh, MEAN, weight, smooth, along, spare);
         }
-        mesh.smooth(&mut self.pull, spare, PASSES);
+        mesh.smooth(&mut self.pull, spare, MEAN);
         let weights = self.weight.iter().zip(&self.smooth_weight);
         self.curvature.clear();
         (self.curvature)
@@ -285,7 +289,7 @@ impl<const D: usize> Nodes<D> {
         {
             *rough = weight * curvature;
         }
-        mesh.smooth(rough, spare, PASSES);
+        mesh.smooth(rough, spare, MEAN);
         let smoothed = self.pull.iter().zip(&self.smooth_weight);
         for (curvature, (sum, weight)) in self.curvature.iter_mut().zip(smoothed) {
             *curvature += SHARPENING * (*curvature - ratio(*sum, *weight));
@@ -293,18 +297,18 @@ impl<const D: usize> Nodes<D> {
             *curvature /= 1.0 + deeper(D) * of_each.min(MOST_CURVED);
         }
         if walled {
-            mesh.smooth(&mut self.line, spare, PASSES);
+            mesh.smooth(&mut self.line, spare, MEAN);
             let lines = self.line.iter().zip(&self.smooth_weight);
             for (curvature, (sum, weight)) in self.curvature.iter_mut().zip(lines) {
                 let pulled = sum / weight.max(LEAST_SURFACE);
                 *curvature += pulled.clamp(-MOST_PULLED, MOST_PULLED);
             }
         }
-        mesh.fill(
-            &mut self.curvature,
-            &self.surface,
-            EXTENSION,
-            &mut self.fill,
-        );
+        let found = Found {
+            colour: &self.colour,
+            normals: &self.normals,
+            surface: &self.surface,
+        };
+        self.inward.go_on(mesh, &found, &mut self.curvature);
     }
 }

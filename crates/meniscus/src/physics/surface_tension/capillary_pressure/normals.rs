@@ -162,6 +162,21 @@ impl<const D: usize> Normals<D> {
         unit(self.normal[node])
     }
 
+    /// Which way a level set faces.
+    pub fn level(&self, node: usize) -> Vector<f64, D> {
+        let bent = self.apparent[node];
+        if bent == Vector::ZERO {
+            unit(self.normal[node])
+        } else {
+            bent
+        }
+    }
+
+    /// 0 far from walls, 1 beside them.
+    pub fn beside(&self, node: usize) -> f64 {
+        self.beside.get(node).copied().unwrap_or(0.0)
+    }
+
     /// div n along the true surface, 1/dx.
     ///
     /// Where level sets are bent, n is not their normal, and its divergence has a part of what changes from one to the next.

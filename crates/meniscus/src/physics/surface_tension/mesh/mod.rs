@@ -7,16 +7,16 @@
 //! - `spread`: what particles spread
 //! - `interpolate`: what they feel
 //! - `stencil`: differences and smoothing
-//! - `fill`: values where a field has none
+//! - `harmonic`: values where a field has none
 //! - `surroundings`: what a model on a mesh acts in
 
-mod fill;
+mod harmonic;
 mod interpolate;
 mod spread;
 mod stencil;
 mod surroundings;
 
-pub(super) use fill::Fill;
+pub(super) use harmonic::Harmonic;
 pub(super) use spread::Layered;
 pub use surroundings::Surroundings;
 
@@ -120,6 +120,17 @@ impl<const D: usize> Mesh<D> {
         })
     }
 
+    /// The place of a node.
+    pub fn place(&self, mut node: usize) -> Vector<f64, D> {
+        let mut x = Vector::ZERO;
+        for d in 0..D {
+            let index = (node / self.stride[d]) as i64 + self.low[d];
+            x[d] = index as f64 * self.spacing;
+            node %= self.stride[d];
+        }
+        x
+    }
+
     /// The node nearest to a point inside.
     pub fn nearest(&self, x: &Vector<f64, D>) -> usize {
         let index = |d: usize| ((x[d] / self.spacing).round() as i64 - self.low[d]) as usize;
@@ -220,24 +231,42 @@ mod tests {
         }
     }
 
-    /// A field known beside one corner alone is the same everywhere where it is the same there, and never
-    /// leaves its bounds.
+    /// What is the same where it is known is the same everywhere; between two known lines a field is linear, and what is known
+    /// on a circle as cos(2 phi) goes inwards with r^2.
     #[test]
-    fn filling_stays_within_what_is_known() {
+    fn fields_are_harmonic_where_they_are_not_known() {
         let points = [Vector([0.0, 0.0]), Vector([20.0, 33.0])];
         let mesh = Mesh::around(points.into_iter(), 1.0, 3).unwrap();
-        let mut fill = Fill::default();
-        let known = |node: usize| node.is_multiple_of(7) && node < mesh.len() / 3;
-        let weight: Vec<f64> = (0..mesh.len())
-            .map(|node| if known(node) { 1.0 } else { 0.0 })
-            .collect();
-        let mut same: Vec<f64> = weight.iter().map(|weight| 3.0 * weight).collect();
-        mesh.fill(&mut same, &weight, 0.1, &mut fill);
-        assert!(same.iter().all(|value| (value - 3.0).abs() < 1e-12));
-        let mut varied: Vec<f64> = (0..mesh.len())
-            .map(|node| weight[node] * (node % 5) as f64)
-            .collect();
-        mesh.fill(&mut varied, &weight, 0.1, &mut fill);
-        assert!(varied.iter().all(|value| (0.0..=4.0).contains(value)));
+        let mut harmonic = Harmonic::default();
+        let mut extend = |known: &dyn Fn(usize) -> Option<f64>| {
+            let mut values: Vec<f64> = (0..mesh.len()).map(|i| known(i).unwrap_or(9.0)).collect();
+            let weight: Vec<f64> = (0..mesh.len())
+                .map(|i| if known(i).is_some() { 1.0 } else { 0.0 })
+                .collect();
+            mesh.make_harmonic(&mut values, &weight, 0.001, 8, &mut harmonic);
+            values
+        };
+        let same = extend(&|i| (i < mesh.len() / 3 && i.is_multiple_of(7)).then_some(3.0));
+        assert!(same.iter().all(|value| (value - 3.0).abs() < 1e-3));
+        let linear = extend(&|i| {
+            let y = mesh.place(i)[1];
+            (y == 2.0 || y == 30.0).then_some(y)
+        });
+        let centre = Vector([10.0, 16.0]);
+        let saddle = extend(&|i| {
+            let x = mesh.place(i) - centre;
+            ((x.norm() - 9.0).abs() < 0.8).then(|| (x[0] * x[0] - x[1] * x[1]) / x.norm_squared())
+        });
+        for i in 0..mesh.len() {
+            let x = mesh.place(i);
+            if x[1] > 2.0 && x[1] < 30.0 {
+                assert!((linear[i] - x[1]).abs() < 0.1, "{} {}", linear[i], x[1]);
+            }
+            let x = x - centre;
+            if x.norm() < 8.0 {
+                let exact = (x[0] * x[0] - x[1] * x[1]) / 81.0;
+                assert!((saddle[i] - exact).abs() < 0.1, "{} {exact}", saddle[i]);
+            }
+        }
     }
 }
