@@ -10,8 +10,8 @@
 //! that point's kappa; inside the harmonic field ([`Harmonic`](crate::physics::surface_tension::mesh::Harmonic)) is tied to it where a link of
 //! nodes is cut by the surface: a link of which a part t is inside is 1/t times as strong.
 //!
-//! Beside walls, where kappa changes steeply towards the contact line, nodes keep what was found at their place, whose sum along the surface is
-//! what the line pulls.
+//! At walls, where kappa changes steeply towards the contact line, nodes keep what was found at their place, whose sum along the surface is
+//! what the line pulls; up to C_w = 0.2 they go over to that.
 
 use rayon::prelude::*;
 
@@ -25,6 +25,8 @@ use crate::vector::Vector;
 const NEAR: [f64; 2] = [OUTERMOST, 0.85];
 /// Weight of the surface below which there is none at a closest point.
 const LEAST_SURFACE: f64 = 0.05;
+/// Colour of a wall from which on kappa is as found.
+const AT_WALL: f64 = 0.2;
 /// Links, beside the weight 1 of a node that is known: what is known stays within a tenth of their mean.
 const LINK: f64 = 0.1;
 /// Least part of a link that is inside.
@@ -48,6 +50,8 @@ pub(super) struct Inward<const D: usize> {
 pub(super) struct Found<'a, const D: usize> {
     pub colour: &'a [f64],
     pub normals: &'a Normals<D>,
+    /// Colour of walls; empty without.
+    pub wall: &'a [f64],
     /// How much of the surface is around, without that at walls.
     pub surface: &'a [f64],
 }
@@ -62,6 +66,11 @@ impl<const D: usize> Found<'_, D> {
         }
         let away = self.normals.level(node) * (times * depth(colour) * mesh.spacing);
         Some(mesh.place(node) - away).filter(|x| mesh.holds(x))
+    }
+
+    /// 0 away from walls, 1 at them.
+    fn beside(&self, node: usize) -> f64 {
+        (self.wall.get(node)).map_or(0.0, |wall| (wall / AT_WALL).min(1.0))
     }
 
     /// How strongly a node is tied to what is at its closest point.
@@ -96,7 +105,7 @@ impl<const D: usize> Inward<D> {
         parts.enumerate().for_each(|(task, (closest, known))| {
             for (k, (closest, known)) in closest.iter_mut().zip(known).enumerate() {
                 let i = task * nodes + k;
-                let beside = found.normals.beside(i);
+                let beside = found.beside(i);
                 let point = found.point(mesh, i, 1.0).filter(|x| {
                     inner.contains(&i) && found.surface[mesh.nearest(x)] > LEAST_SURFACE
                 });
@@ -119,7 +128,7 @@ impl<const D: usize> Inward<D> {
             parts.for_each(|(task, curvature)| {
                 for (k, curvature) in curvature.iter_mut().enumerate() {
                     let i = task * nodes + k;
-                    let beside = found.normals.beside(i);
+                    let beside = found.beside(i);
                     if found.colour[i] >= 0.5 || known[i] == 0.0 || beside == 1.0 {
                         continue;
                     }

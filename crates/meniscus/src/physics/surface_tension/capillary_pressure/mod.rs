@@ -17,7 +17,7 @@
 //!
 //! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
 //! other (`closeness`). Beside walls they are also put in order (`order`), which their density follows (`shift`); and one that comes nearer to a wall than half a spacing,
-//! C_w > 0.353, is pushed off (`push`): by the smooth field of the wall's colour, along which nothing holds it.
+//! C_w > 1/3, is pushed off (`push`): by the smooth field of the wall's colour, along which nothing holds it.
 //! Forces and moments of each free body are balanced ([`super::bodies`]).
 //!
 //! Walls take the pressure p - q of the liquid beside them, and bear q as well (`load`), their push and the pull of contact lines

@@ -1,5 +1,5 @@
 //! Curvature of the surface, on the nodes of a mesh of spacing dx. With the volume V0 of a particle in cells, B
-//! the cubic B-spline of the mesh, S two passes of (1/4, 1/2, 1/4), P three:
+//! the cubic B-spline of the mesh, P two passes of (1/4, 1/2, 1/4), S three:
 //!
 //! - C = P sum_j V0 B(x - x_j), and of the walls C_w; c = C / (1 - C_w)       colour, 1 inside
 //! - n = grad c / |grad c|, with the gradient of the cubic spline through c; beside walls as in [`normals`](super::normals)
@@ -17,10 +17,13 @@
 //! where div(-n) changes by a quarter), so the closest point of a node hardly matters.
 //!
 //! kappa_1 undoes what spreading, smoothing and differences take: a ripple of wave number k loses k^2 v / 2 by a variance v of all
-//! steps, some 4.2 dx^2 (spline 1/3, passes 3/2 and 1, gradient, divergence, and two interpolations of 1/3 each), and
-//! one smoothing more, of 1 dx^2, tells how much that is: f = 4.8, by exact ripples of a flat surface. Smoothed, the level set of a ball lies
-//! deeper than its surface, and is more curved: b = 1.12 in two dimensions and 1.9 in three, by exact discs and balls (by theory of the spread
-//! alone 0.92 and 1.83).
+//! steps, some 4.2 dx^2 (spline 1/3, passes 1 and 3/2, gradient, divergence, and two interpolations of 1/3 each), and
+//! one smoothing more, of 3/2 dx^2, tells how much that is: f = 3.3, by exact ripples of a flat surface (2.8 by count). Smoothed, the level set of a ball lies
+//! deeper than its surface, and is more curved: b = 0.88 in two dimensions and 1.47 in three, by exact discs and balls (by theory of the spread
+//! alone 2/3 and 4/3).
+//!
+//! A mean over more of the surface leaves less of what the disorder of particles makes of k, which drives currents; a wider colour would do the same, but not see
+//! voids of three spacings, which then stay open at walls.
 //!
 //! The contact line's part is T's of grad s . (n - cos(theta) n_w) over the surface, where s falls from 1 to 0 through the surface of a wall, n_w is the
 //! unit vector into it, and n . n_w is corrected on round walls as in [`facing`](super::facing). It is the derivative of the area of the surface and of the
@@ -43,10 +46,10 @@ use super::order;
 use crate::vector::Vector;
 
 /// Passes of smoothing of the colour.
-pub(super) const PASSES: usize = 3;
+pub(super) const PASSES: usize = 2;
 /// Those of the curvature.
-const MEAN: usize = 2;
-/// Nodes that a mesh reaches beyond its particles: colour reaches five. The colour of a wall goes on beyond a contact line, and
+const MEAN: usize = 3;
+/// Nodes that a mesh reaches beyond its particles: colour reaches four, and its curvature is smoothed over three more, twice. The colour of a wall goes on beyond a contact line, and
 /// is to be right up to four nodes from there. Beyond a periodic face there are more of them,
 /// whose curvature is smoothed into that of the last.
 pub(super) const MARGIN: i64 = 7;
@@ -65,13 +68,13 @@ const WALL: [f64; 2] = [0.1, 0.9];
 /// Colour of a wall from which on nothing is divided by what it leaves.
 const SOLID: f64 = 0.995;
 /// f
-const SHARPENING: f64 = 4.8;
+const SHARPENING: f64 = 3.3;
 
 /// Variance of the colour's profile along each axis, dx^2: spline 1/3, passes 1/2 each.
 pub(super) const VARIANCE: f64 = 1.0 / 3.0 + 0.5 * PASSES as f64;
 /// b
 const fn deeper(dimension: usize) -> f64 {
-    if dimension == 3 { 1.9 } else { 1.12 }
+    if dimension == 3 { 1.47 } else { 0.88 }
 }
 /// Least of what curvatures are divided by.
 const SHALLOWEST: f64 = 0.3;
@@ -307,6 +310,7 @@ impl<const D: usize> Nodes<D> {
         let found = Found {
             colour: &self.colour,
             normals: &self.normals,
+            wall: &self.wall,
             surface: &self.surface,
         };
         self.inward.go_on(mesh, &found, &mut self.curvature);

@@ -172,11 +172,6 @@ impl<const D: usize> Normals<D> {
         }
     }
 
-    /// 0 far from walls, 1 beside them.
-    pub fn beside(&self, node: usize) -> f64 {
-        self.beside.get(node).copied().unwrap_or(0.0)
-    }
-
     /// div n along the true surface, 1/dx.
     ///
     /// Where level sets are bent, n is not their normal, and its divergence has a part of what changes from one to the next.

@@ -1,10 +1,10 @@
 //! How hard walls push what comes too near: by their smoothed colour C_w, along which nothing holds a particle.
 //!
-//! Half a spacing before a plane wall C_w is 0.37; from 0.353 on the push begins. In a corner the colours of two or three walls add
-//! up, to 0.60 and 0.75 half a spacing from all, which would push the liquid out. C_w smoothed more, C_w', tells: before a plane
-//! wall it follows from C_w, in a corner it is higher, by 0.056 and 0.088 there. So
+//! Half a spacing before a plane wall C_w is 0.35; from 1/3 on the push begins. In a corner the colours of two or three walls add
+//! up, to 0.58 and 0.72 half a spacing from all, which would push the liquid out. C_w smoothed more, C_w', tells: before a plane
+//! wall it follows from C_w, in a corner it is higher, by 0.07 and 0.1 there. So
 //!
-//! push = 36 sigma / dx^2 max(C_w - 0.353 - 6 max(C_w' - C_p(C_w) - 0.015, 0), 0)   per volume
+//! push = 32 sigma / dx^2 max(C_w - 1/3 - 4.2 max(C_w' - C_p(C_w) - 0.015, 0), 0)   per volume
 //!
 //! with C_p = 1 / (1 + ((1 - C_w) / C_w)^s), s^2 the ratio of their variances: what C_w' is before a wall that goes on and on, within 0.001.
 //! Before one of four layers it is lower; before a round one of twelve spacings it is higher by 0.008.
@@ -13,13 +13,13 @@ use super::nodes::VARIANCE;
 use super::order;
 
 /// Colour of a wall from which on it pushes.
-const AT_WALL: f64 = 0.353;
+const AT_WALL: f64 = 1.0 / 3.0;
 /// Push of a wall on what comes nearer, sigma / dx^2.
-const STIFFNESS: f64 = 36.0;
+const STIFFNESS: f64 = 32.0;
 /// Difference of colours from which on a wall has a corner.
 const LEEWAY: f64 = 0.015;
 /// What a difference beyond takes off the colour.
-const IN_CORNER: f64 = 6.0;
+const IN_CORNER: f64 = 4.2;
 /// Variances of both colours as particles feel them, dx^2.
 const NARROW: f64 = VARIANCE + 1.0 / 3.0;
 const WIDE: f64 = NARROW + 0.5 * order::PASSES as f64;
