@@ -11,7 +11,7 @@
 //! nodes is cut by the surface: a link of which a part t is inside is 1/t times as strong.
 //!
 //! At walls, where kappa changes steeply towards the contact line, nodes keep what was found at their place, whose sum along the surface is
-//! what the line pulls; up to C_w = 0.2 they go over to that.
+//! what the line pulls; up to C_w = 0.1 they go over to that.
 
 use rayon::prelude::*;
 
@@ -26,7 +26,7 @@ const NEAR: [f64; 2] = [OUTERMOST, 0.85];
 /// Weight of the surface below which there is none at a closest point.
 const LEAST_SURFACE: f64 = 0.05;
 /// Colour of a wall from which on kappa is as found.
-const AT_WALL: f64 = 0.2;
+const AT_WALL: f64 = 0.1;
 /// Links, beside the weight 1 of a node that is known: what is known stays within a tenth of their mean.
 const LINK: f64 = 0.1;
 /// Least part of a link that is inside.
