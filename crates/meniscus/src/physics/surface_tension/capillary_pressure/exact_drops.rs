@@ -102,7 +102,7 @@ impl Drop {
 }
 
 /// The centres of the cells of a cube of this half width.
-fn grid<const D: usize>(half: f64, cell: f64) -> impl Iterator<Item = Vector<f64, D>> {
+pub(super) fn grid<const D: usize>(half: f64, cell: f64) -> impl Iterator<Item = Vector<f64, D>> {
     let along = (2.0 * half / cell) as usize;
     (0..along.pow(D as u32)).map(move |k| {
         Vector(std::array::from_fn(|d| {

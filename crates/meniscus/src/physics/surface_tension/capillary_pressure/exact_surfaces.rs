@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::exact_drops::grid;
 use super::nodes::{MARGIN, Nodes};
 use crate::physics::surface_tension::mesh::{Layered, Mesh};
 use crate::vector::Vector;
@@ -13,16 +14,9 @@ fn curvature<const D: usize>(
     fineness: usize,
     depth: impl Fn(&Vector<f64, D>) -> f64,
 ) -> (Mesh<D>, Vec<f64>) {
-    let along = 2 * half as usize * fineness;
     let cell = 1.0 / fineness as f64;
-    let place = |k: usize| {
-        Vector(std::array::from_fn(|d| {
-            ((k / along.pow(d as u32) % along) as f64 + 0.5) * cell - half
-        }))
-    };
     let share = |x: Vector<f64, D>| (x, (depth(&x) / cell + 0.5).clamp(0.0, 1.0));
-    let points: Vec<_> = (0..along.pow(D as u32))
-        .map(|k| share(place(k)))
+    let points: Vec<_> = (grid(half, cell).map(share))
         .filter(|(_, share)| *share > 0.0)
         .collect();
     let mesh = Mesh::around(points.iter().map(|(x, _)| *x), 1.0, MARGIN).expect("liquid");
