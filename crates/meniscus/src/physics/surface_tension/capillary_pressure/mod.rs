@@ -15,7 +15,7 @@
 //!
 //! Pressure comes by the equation of state as p - q: a drop at rest is not compressed by its surface, and starts at rest.
 //!
-//! A particle that stands out of the surface is drawn back, since nothing else holds it; and particles nearer than 0.8 dx push each
+//! A particle that stands out of the surface is drawn back, since nothing else holds it (`standing_out`); and particles nearer than 0.8 dx push each
 //! other (`closeness`). Beside walls they are also put in order (`order`), which their density follows (`shift`); and one that comes nearer to a wall than half a spacing,
 //! C_w > 1/3, is pushed off (`push`): by the smooth field of the wall's colour, along which nothing holds it.
 //! Forces and moments of each free body are balanced ([`super::bodies`]).
@@ -44,6 +44,7 @@ mod order;
 mod push;
 mod reaction;
 mod shift;
+mod standing_out;
 
 pub use closeness::Closeness;
 pub use load::Load;
@@ -67,8 +68,6 @@ pub struct CapillaryPressure;
 
 /// Spacings beyond which two particles do not know of each other.
 pub const REACH: f64 = 12.0;
-/// Colour below which a particle stands out of the surface; those of a flat one have more than a half.
-const STANDING_OUT: f64 = 0.4;
 /// Colour above which a node is inside, and nothing is looked for around it.
 const INSIDE: f64 = 0.95;
 
@@ -187,7 +186,7 @@ impl<const D: usize> Scratch<D> {
             if nodes.colour[mesh.nearest(x)] < INSIDE {
                 let (colour, inward) = mesh.feel_at(&nodes.colour, x);
                 felt.at_surface = Some((colour, inward));
-                let out = (STANDING_OUT - colour).max(0.0) / (STANDING_OUT * STANDING_OUT);
+                let out = standing_out::pull(colour, felt.push.1);
                 felt.force += inward * (out * sigma / spacing);
             }
             felt

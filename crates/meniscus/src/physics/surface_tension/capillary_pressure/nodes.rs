@@ -6,7 +6,7 @@
 //! - g = 30/0.6^5 ((c - 0.2)(0.8 - c))^2 |grad c| between 0.2 and 0.8, zero else: of integral one through the surface
 //! - k = div(-n) / (1 + div(-n) z(c) / (D - 1))
 //! - kappa_0 = T k, T u = S [w u] / S [w], with weights w as in [`even`](super::even), g without walls
-//! - kappa_1 = kappa_0 + f (kappa_0 - T kappa_0)
+//! - kappa_1 = kappa_0 + r (kappa_0 T r - T (r kappa_0)), r^2 = f, falling to 0 beside walls
 //! - kappa = kappa_1 / (1 + b kappa_1^2 dx^2 / (D - 1)^2) + the contact line's part
 //!
 //! The divergence is that of unit vectors, not of second derivatives of c: these are mostly such across the surface, of which one
@@ -18,7 +18,9 @@
 //!
 //! kappa_1 undoes what spreading, smoothing and differences take: a ripple of wave number k loses k^2 v / 2 by a variance v of all
 //! steps, some 4.2 dx^2 (spline 1/3, passes 1 and 3/2, gradient, divergence, and two interpolations of 1/3 each), and
-//! one smoothing more, of 3/2 dx^2, tells how much that is: f = 3.3, by exact ripples of a flat surface (2.8 by count). Smoothed, the level set of a ball lies
+//! one smoothing more, of 3/2 dx^2, tells how much that is: f = 3.3, by exact ripples of a flat surface (2.8 by count). Where a wall
+//! cuts a mean off, there is no ripple to undo, and what the contact line pulls, next to what the surface turns, is not sharpened either: r falls to 0 up to a colour of the wall, smoothed
+//! more, of 0.1, and kappa_1 has the sum of kappa_0 over the surface whatever r is. Smoothed, the level set of a ball lies
 //! deeper than its surface, and is more curved: b = 0.88 in two dimensions and 1.47 in three, by exact discs and balls (by theory of the spread
 //! alone 2/3 and 4/3).
 //!
@@ -69,6 +71,8 @@ const WALL: [f64; 2] = [0.1, 0.9];
 const SOLID: f64 = 0.995;
 /// f
 const SHARPENING: f64 = 3.3;
+/// Colour of a wall, smoothed more, from which on nothing is sharpened.
+const CUT_OFF: f64 = 0.1;
 
 /// Variance of the colour's profile along each axis, dx^2: spline 1/3, passes 1/2 each.
 pub(super) const VARIANCE: f64 = 1.0 / 3.0 + 0.5 * PASSES as f64;
@@ -110,6 +114,8 @@ pub(super) struct Nodes<const D: usize> {
     /// S [g s], and of w
     surface: Vec<f64>,
     smooth_weight: Vec<f64>,
+    /// S [w r]
+    sharpness: Vec<f64>,
     even: Even,
     spare: Vec<f64>,
     inward: Inward<D>,
@@ -287,15 +293,26 @@ impl<const D: usize> Nodes<D> {
         self.curvature.clear();
         (self.curvature)
             .extend((self.pull.iter().zip(weights)).map(|(sum, (_, weight))| ratio(*sum, *weight)));
-        let rough = &mut self.pull;
-        for ((rough, curvature), weight) in rough.iter_mut().zip(&self.curvature).zip(&self.weight)
-        {
-            *rough = weight * curvature;
+        let sharp = |i: usize| {
+            let away = 1.0 - self.wide_wall.get(i).unwrap_or(&0.0) / CUT_OFF;
+            (SHARPENING * away.max(0.0)).sqrt()
+        };
+        let (weights, curvature) = (&self.weight, &self.curvature);
+        self.pull.clear();
+        let rough = (0..mesh.len()).map(|i| sharp(i) * weights[i] * curvature[i]);
+        self.pull.extend(rough);
+        mesh.smooth(&mut self.pull, spare, MEAN);
+        self.sharpness.clear();
+        if walled {
+            (self.sharpness).extend((0..mesh.len()).map(|i| sharp(i) * weights[i]));
+            mesh.smooth(&mut self.sharpness, spare, MEAN);
+        } else {
+            (self.sharpness).extend(self.smooth_weight.iter().map(|weight| sharp(0) * weight));
         }
-        mesh.smooth(rough, spare, MEAN);
-        let smoothed = self.pull.iter().zip(&self.smooth_weight);
-        for (curvature, (sum, weight)) in self.curvature.iter_mut().zip(smoothed) {
-            *curvature += SHARPENING * (*curvature - ratio(*sum, *weight));
+        for i in 0..mesh.len() {
+            let curvature = &mut self.curvature[i];
+            let rough = *curvature * self.sharpness[i] - self.pull[i];
+            *curvature += sharp(i) * ratio(rough, self.smooth_weight[i]);
             let of_each = (*curvature / (D as f64 - 1.0)).powi(2);
             *curvature /= 1.0 + deeper(D) * of_each.min(MOST_CURVED);
         }

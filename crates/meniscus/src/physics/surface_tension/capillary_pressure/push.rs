@@ -13,7 +13,7 @@ use super::nodes::VARIANCE;
 use super::order;
 
 /// Colour of a wall from which on it pushes.
-const AT_WALL: f64 = 1.0 / 3.0;
+pub(super) const AT_WALL: f64 = 1.0 / 3.0;
 /// Push of a wall on what comes nearer, sigma / dx^2.
 const STIFFNESS: f64 = 32.0;
 /// Difference of colours from which on a wall has a corner.
