@@ -17,9 +17,8 @@
 //! where div(-n) changes by a quarter), so the closest point of a node hardly matters.
 //!
 //! kappa_1 undoes what spreading, smoothing and differences take: a ripple of wave number k loses k^2 v / 2 by a variance v of all
-//! steps, by count 4.2 dx^2 (spline 1/3, passes 1 and 3/2, gradient, divergence, and two interpolations of 1/3 each), and
-//! one smoothing more, of 3/2 dx^2, tells how much that is: f = 2.8. So exact ripples have their curvature within 0.015 from 24 dx on, and mode 2 of
-//! exact balls of 7 dx and more within 0.003 in two dimensions and 0.02 in three; with f = 3.3, which ripples of 16 dx ask for, 0.055. Where a wall
+//! steps, some 4.2 dx^2 (spline 1/3, passes 1 and 3/2, gradient, divergence, and two interpolations of 1/3 each), and
+//! one smoothing more, of 3/2 dx^2, tells how much that is: f = 3.3, by exact ripples of a flat surface (2.8 by count). Where a wall
 //! cuts a mean off, there is no ripple to undo, and what the contact line pulls, next to what the surface turns, is not sharpened either: r falls to 0 up to a colour of the wall, smoothed
 //! more, of 0.1, and kappa_1 has the sum of kappa_0 over the surface whatever r is. Smoothed, the level set of a ball lies
 //! deeper than its surface, and is more curved: b = 0.88 in two dimensions and 1.47 in three, by exact discs and balls (by theory of the spread
@@ -71,7 +70,7 @@ const WALL: [f64; 2] = [0.1, 0.9];
 /// Colour of a wall from which on nothing is divided by what it leaves.
 const SOLID: f64 = 0.995;
 /// f
-const SHARPENING: f64 = 2.8;
+const SHARPENING: f64 = 3.3;
 /// Colour of a wall, smoothed more, from which on nothing is sharpened.
 const CUT_OFF: f64 = 0.1;
 

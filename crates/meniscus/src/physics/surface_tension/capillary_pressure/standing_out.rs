@@ -2,7 +2,7 @@
 //! (c_0 - c)/c_0^2, sigma / dx^2 per volume, below a colour c_0 = 0.4. Those of a flat surface have more than a half.
 //!
 //! On a wall the last particle of a row, one spacing thick as at the foot of a drop that wets well, has 0.3, and does not stand out: drawn back,
-//! by 0.02 sigma, it held drops of 30 degrees at 32.5. So c_0 falls to 0.2 half a spacing from a wall; one alone there has 0.15 in two dimensions, 0.05 in three.
+//! by 0.02 sigma, it held drops of 30 degrees at 32.4. So c_0 falls to 0.2 half a spacing from a wall; one alone there has 0.15 in two dimensions, 0.05 in three.
 
 use super::push;
 
