@@ -3,7 +3,7 @@
 //! At rest q is the same all over a surface. Where it is not, what it comes to along the wall, sum (kappa - 2 H) dz over the height of
 //! the surface, is a pull on the contact line that would move it, to where cos(phi) has changed by as much.
 
-use super::nodes::{Nodes, WALLED_MARGIN};
+use super::nodes::{MARGIN, Nodes, WALLED_MARGIN};
 use crate::physics::surface_tension::mesh::{Layered, Mesh};
 use crate::theory::{Cap, CapOnBall};
 use crate::vector::Vector;
@@ -64,18 +64,10 @@ impl Drop {
                 grid(half, 1.0).filter(in_wall).collect()
             }
         };
-        let placed = fine.iter().map(|x| *x + shift);
-        let mesh = Mesh::around(placed.clone(), 1.0, WALLED_MARGIN).expect("a drop");
-        let (mut liquid, mut walls) = (Layered::default(), Layered::default());
-        liquid.clear();
-        walls.clear();
         let volume = cell.powi(D as i32);
-        placed.for_each(|x| liquid.push(x, [volume, 0.0]));
-        for x in coarse.iter().map(|x| *x + shift).filter(|x| mesh.holds(x)) {
-            walls.push(x, [1.0, self.angle().cos()]);
-        }
-        let mut nodes = Nodes::default();
-        nodes.find(&mesh, &mut liquid, &mut walls);
+        let liquid: Vec<_> = fine.iter().map(|x| (*x + shift, volume)).collect();
+        let walls = coarse.iter().map(|x| (*x + shift, self.angle().cos()));
+        let (mesh, nodes) = found(&liquid, walls);
         let curvature = (D as f64 - 1.0) / radius;
         // Down the surface in the plane of the first and the last axis, on either side.
         const STEPS: usize = 4000;
@@ -99,6 +91,42 @@ impl Drop {
         }
         pull
     }
+}
+
+/// What the nodes find around liquid of these volumes; walls have the cosines of their angles.
+pub(super) fn found<const D: usize>(
+    liquid: &[(Vector<f64, D>, f64)],
+    walls: impl Iterator<Item = (Vector<f64, D>, f64)>,
+) -> (Mesh<D>, Nodes<D>) {
+    let mut nodes = Nodes::default();
+    (find_by(&mut nodes, liquid, walls), nodes)
+}
+
+/// The same by nodes that may have been used before.
+pub(super) fn find_by<const D: usize>(
+    nodes: &mut Nodes<D>,
+    liquid: &[(Vector<f64, D>, f64)],
+    walls: impl Iterator<Item = (Vector<f64, D>, f64)>,
+) -> Mesh<D> {
+    let (mut of_walls, mut of_liquid) = (Layered::default(), Layered::default());
+    of_walls.clear();
+    of_liquid.clear();
+    let walls: Vec<_> = walls.collect();
+    let margin = if walls.is_empty() {
+        MARGIN
+    } else {
+        WALLED_MARGIN
+    };
+    let places = liquid.iter().map(|(x, _)| *x);
+    let mesh = Mesh::around(places, 1.0, margin).expect("liquid");
+    for (x, volume) in liquid {
+        of_liquid.push(*x, [*volume, 0.0]);
+    }
+    for (x, cosine) in walls.into_iter().filter(|(x, _)| mesh.holds(x)) {
+        of_walls.push(x, [1.0, cosine]);
+    }
+    nodes.find(&mesh, &mut of_liquid, &mut of_walls);
+    mesh
 }
 
 /// The centres of the cells of a cube of this half width.
@@ -168,4 +196,23 @@ fn exact_drops_on_a_plane_in_three_dimensions_stay_as_they_are() {
         let pull = mean::<3>(drop, 3);
         assert!(pull.abs() < MOST, "{degrees}: {pull}");
     }
+}
+
+/// Nodes that found a drop on a wall before find a free one as new ones do, to the bit.
+#[test]
+fn walls_leave_nothing_behind() {
+    let disc: Vec<_> = (grid::<2>(8.0, 1.0).filter(|x| x.norm() < 7.0))
+        .map(|x| (x, 1.0))
+        .collect();
+    let below = |x: &Vector<f64, 2>| (-4.0..0.0).contains(&x[1]);
+    let on_wall: Vec<_> = (disc.iter().filter(|(x, _)| x[1] > 0.0)).copied().collect();
+    let mut used = Nodes::default();
+    find_by(
+        &mut used,
+        &on_wall,
+        grid(20.0, 1.0).filter(below).map(|x| (x, 0.5)),
+    );
+    find_by(&mut used, &disc, std::iter::empty());
+    let (_, new) = found(&disc, std::iter::empty());
+    assert_eq!(used.curvature, new.curvature);
 }

@@ -2,9 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::exact_drops::grid;
-use super::nodes::{MARGIN, Nodes};
-use crate::physics::surface_tension::mesh::{Layered, Mesh};
+use super::exact_drops::{found, grid};
+use crate::physics::surface_tension::mesh::Mesh;
 use crate::vector::Vector;
 
 /// kappa on the nodes of liquid that lies so deep, within a cube of this half width; points less than half their distance from the
@@ -19,15 +18,12 @@ fn curvature<const D: usize>(
     let points: Vec<_> = (grid(half, cell).map(share))
         .filter(|(_, share)| *share > 0.0)
         .collect();
-    let mesh = Mesh::around(points.iter().map(|(x, _)| *x), 1.0, MARGIN).expect("liquid");
-    let (mut liquid, mut walls) = (Layered::default(), Layered::default());
-    liquid.clear();
-    walls.clear();
-    for (x, share) in points {
-        liquid.push(x, [share * cell.powi(D as i32), 0.0]);
-    }
-    let mut nodes = Nodes::default();
-    nodes.find(&mesh, &mut liquid, &mut walls);
+    let volume = cell.powi(D as i32);
+    let liquid: Vec<_> = points
+        .iter()
+        .map(|(x, share)| (*x, share * volume))
+        .collect();
+    let (mesh, nodes) = found(&liquid, std::iter::empty());
     (mesh, nodes.curvature)
 }
 

@@ -293,24 +293,29 @@ impl<const D: usize> Nodes<D> {
         self.curvature.clear();
         (self.curvature)
             .extend((self.pull.iter().zip(weights)).map(|(sum, (_, weight))| ratio(*sum, *weight)));
+        let wide_wall = &self.wide_wall;
         let sharp = |i: usize| {
-            let away = 1.0 - self.wide_wall.get(i).unwrap_or(&0.0) / CUT_OFF;
+            let away = if walled {
+                1.0 - wide_wall[i] / CUT_OFF
+            } else {
+                1.0
+            };
             (SHARPENING * away.max(0.0)).sqrt()
         };
-        let (weights, curvature) = (&self.weight, &self.curvature);
-        self.pull.clear();
-        let rough = (0..mesh.len()).map(|i| sharp(i) * weights[i] * curvature[i]);
-        self.pull.extend(rough);
-        mesh.smooth(&mut self.pull, spare, MEAN);
         self.sharpness.clear();
+        (self.sharpness).extend((0..mesh.len()).map(|i| sharp(i) * self.weight[i]));
+        let sharpened = self.sharpness.iter().zip(&self.curvature);
+        self.pull.clear();
+        (self.pull).extend(sharpened.map(|(sharpness, curvature)| sharpness * curvature));
+        mesh.smooth(&mut self.pull, spare, MEAN);
         if walled {
-            (self.sharpness).extend((0..mesh.len()).map(|i| sharp(i) * weights[i]));
             mesh.smooth(&mut self.sharpness, spare, MEAN);
         } else {
+            // r is the same all over.
+            self.sharpness.clear();
             (self.sharpness).extend(self.smooth_weight.iter().map(|weight| sharp(0) * weight));
         }
-        for i in 0..mesh.len() {
-            let curvature = &mut self.curvature[i];
+        for (i, curvature) in self.curvature.iter_mut().enumerate() {
             let rough = *curvature * self.sharpness[i] - self.pull[i];
             *curvature += sharp(i) * ratio(rough, self.smooth_weight[i]);
             let of_each = (*curvature / (D as f64 - 1.0)).powi(2);

@@ -20,10 +20,8 @@ pub(super) fn pull(colour: f64, wall: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::exact_drops::grid;
-    use super::super::nodes::{Nodes, WALLED_MARGIN};
+    use super::super::exact_drops::{found, grid};
     use super::pull;
-    use crate::physics::surface_tension::mesh::{Layered, Mesh};
     use crate::vector::Vector;
 
     /// What draws a particle back that lies at `last`, beyond those of a unit lattice that `inside` picks, over a wall that fills z < 0
@@ -33,20 +31,10 @@ mod tests {
         last: Vector<f64, D>,
         wall: f64,
     ) -> f64 {
-        let mut liquid = Layered::default();
-        let mut walls = Layered::default();
-        liquid.clear();
-        walls.clear();
-        let mut placed: Vec<Vector<f64, D>> = grid(10.0, 1.0).filter(inside).collect();
-        placed.push(last);
-        let mesh = Mesh::around(placed.iter().copied(), 1.0, WALLED_MARGIN).expect("a row");
-        placed.iter().for_each(|x| liquid.push(*x, [1.0, 0.0]));
+        let lattice = grid(10.0, 1.0).filter(inside);
+        let liquid: Vec<_> = lattice.chain([last]).map(|x| (x, 1.0)).collect();
         let below = |x: &Vector<f64, D>| (wall - 4.0..wall).contains(&x[D - 1]);
-        for x in grid(20.0, 1.0).filter(below).filter(|x| mesh.holds(x)) {
-            walls.push(x, [1.0, 0.5]);
-        }
-        let mut nodes = Nodes::default();
-        nodes.find(&mesh, &mut liquid, &mut walls);
+        let (mesh, nodes) = found(&liquid, grid(20.0, 1.0).filter(below).map(|x| (x, 0.5)));
         let wall = nodes
             .beside_walls()
             .map_or(0.0, |beside| mesh.feel_at(beside.wall, &last).0);
