@@ -118,7 +118,7 @@ pub(super) fn find_by<const D: usize>(
         WALLED_MARGIN
     };
     let places = liquid.iter().map(|(x, _)| *x);
-    let mesh = Mesh::around(places, 1.0, margin).expect("liquid");
+    let mesh = Mesh::around(places, 1.0, 0.0, margin).expect("liquid");
     for (x, volume) in liquid {
         of_liquid.push(*x, [*volume, 0.0]);
     }

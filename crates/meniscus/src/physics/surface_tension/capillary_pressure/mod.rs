@@ -74,6 +74,12 @@ const INSIDE: f64 = 0.95;
 /// Particles that one task works on at least.
 const PARTICLES_PER_TASK: usize = 256;
 
+/// Where nodes of meshes lie beyond whole multiples of the spacing, along each axis, of it. Particles in rows and a mesh of about the
+/// same spacing beat: with one mesh, the stiffness of drops of 7 dx depended on its place by 2 %, with two, one amid the other, by 0.1 %.
+const MESHES: [f64; 2] = [0.0, 0.5];
+/// Of each.
+const SHARE: f64 = 1.0 / MESHES.len() as f64;
+
 /// Columns that the model needs on its way.
 #[derive(Debug, Default)]
 pub(super) struct Scratch<const D: usize> {
@@ -81,24 +87,26 @@ pub(super) struct Scratch<const D: usize> {
     liquid: Layered<D>,
     walls: Layered<D>,
     nodes: Nodes<D>,
-    held: Vec<u32>,
     felt: Vec<Felt<D>>,
     reaction: Reaction<D>,
     /// Of all rows.
     places: Vec<Place<D>>,
 }
 
-/// What a particle feels of the fields on the mesh.
+/// What a particle feels of the fields on all meshes; values and their gradients, 1/m.
 #[derive(Clone, Copy, Debug, Default)]
 struct Felt<const D: usize> {
     /// kappa, 1/m
     curvature: f64,
     /// On liquid, per volume, N/m^3.
     force: Vector<f64, D>,
-    place: Place<D>,
-    /// The part of `force` by which a wall pushes, and the colour of that wall.
+    /// The part of that by which a wall pushes on the last mesh, and the colour of the wall there.
     push: (Vector<f64, D>, f64),
-    /// Colour and its gradient, 1/m, near the surface.
+    /// Colour of walls
+    wall: f64,
+    /// Colour of liquid and walls together, smoothed more.
+    deep: (f64, Vector<f64, D>),
+    /// Colour, near the surface as the first mesh has it.
     at_surface: Option<(f64, Vector<f64, D>)>,
 }
 
@@ -144,6 +152,36 @@ impl<const D: usize> Scratch<D> {
         surroundings: &Surroundings<'_, D>,
         surface: &mut Surface<D>,
     ) {
+        self.felt.clear();
+        self.felt.resize(rows.len(), Felt::default());
+        for (which, &beyond) in MESHES.iter().enumerate() {
+            let found = self.feel(particles, rows, surroundings, (which, beyond), surface);
+            if !found {
+                return;
+            }
+        }
+        for (&row, felt) in rows.iter().zip(&self.felt) {
+            let i = row as usize;
+            surface.curvature[i] = felt.curvature;
+            surface.force[i] = felt.force;
+            self.places[i] = Place::beside_walls(felt.deep, felt.wall);
+            if let Some((colour, inward)) = felt.at_surface {
+                surface.active += 1;
+                surface.colour[i] = colour;
+                surface.normal[i] = inward;
+            }
+        }
+    }
+
+    /// What its particles feel of one mesh; false where there is none.
+    fn feel(
+        &mut self,
+        particles: &Particles<D>,
+        rows: &[u32],
+        surroundings: &Surroundings<'_, D>,
+        (which, beyond): (usize, f64),
+        surface: &mut Surface<D>,
+    ) -> bool {
         let domain = &surroundings.groups.domain;
         let repeats = domain.periodic.iter().any(Option::is_some);
         let of_wall = |&row: &u32| (surroundings.wall)(row as usize).is_some();
@@ -153,67 +191,70 @@ impl<const D: usize> Scratch<D> {
             false => MARGIN,
         };
         let (liquid, walls) = (&mut self.liquid, &mut self.walls);
-        let Some(mesh) = surroundings.mesh(particles, rows, margin, liquid, walls) else {
-            return;
+        let Some(mesh) = surroundings.mesh(particles, rows, beyond, margin, liquid, walls) else {
+            return false;
         };
         self.nodes.find(&mesh, liquid, walls);
-        self.held.clear();
-        let holds = |row: &&u32| mesh.holds(&particles.position[**row as usize]);
-        self.held.extend(rows.iter().filter(holds));
         let (sigma, spacing) = (surroundings.surface_tension, surroundings.spacing);
         let nodes = &self.nodes;
-        let feel = |row: &u32| {
+        let feel = |(felt, row): (&mut Felt<D>, &u32)| {
             let i = *row as usize;
             let x = &particles.position[i];
-            let (curvature, gradient) = mesh.feel_at(&nodes.curvature, x);
-            let mut felt = Felt {
-                curvature: curvature / spacing,
-                ..Felt::default()
-            };
-            if (surroundings.wall)(i).is_some() {
-                return felt;
+            felt.push = Default::default();
+            if !mesh.holds(x) {
+                return;
             }
-            felt.force = gradient * (-sigma / spacing);
+            let (curvature, gradient) = mesh.feel_at(&nodes.curvature, x);
+            felt.curvature += SHARE * curvature / spacing;
+            if (surroundings.wall)(i).is_some() {
+                return;
+            }
+            let mut force = gradient * (-sigma / spacing);
             if let Some(beside) = nodes.beside_walls() {
                 let (wall, towards) = mesh.feel_at(beside.wall, x);
-                felt.place = Place::beside_walls(mesh.feel_at(beside.deep, x), wall);
+                let (deep, inward) = mesh.feel_at(beside.deep, x);
+                felt.wall += SHARE * wall;
+                felt.deep.0 += SHARE * deep;
+                felt.deep.1 += inward * SHARE;
                 let push = push::push(wall, || mesh.feel_at(beside.wide_wall, x).0) * sigma
                     / spacing.powi(2);
                 let push = towards * (-push / towards.norm().max(f64::MIN_POSITIVE));
-                felt.force += push;
-                felt.push = (push, wall);
+                force += push;
+                felt.push = (push * SHARE, wall);
             }
-            if nodes.colour[mesh.nearest(x)] < INSIDE {
+            if which == 0 && nodes.colour[mesh.nearest(x)] < INSIDE {
+                felt.at_surface = Some((0.0, Vector::ZERO));
+            }
+            if let Some((mean, slope)) = &mut felt.at_surface {
                 let (colour, inward) = mesh.feel_at(&nodes.colour, x);
-                felt.at_surface = Some((colour, inward));
+                *mean += SHARE * colour;
+                *slope += inward * SHARE;
                 let out = standing_out::pull(colour, felt.push.1);
-                felt.force += inward * (out * sigma / spacing);
+                force += inward * (out * sigma / spacing);
             }
-            felt
+            felt.force += force * SHARE;
         };
-        (self.held.par_iter())
+        (self.felt.par_iter_mut(), rows)
+            .into_par_iter()
             .with_min_len(PARTICLES_PER_TASK)
-            .map(feel)
-            .collect_into_vec(&mut self.felt);
-        for (&row, felt) in self.held.iter().zip(&self.felt) {
-            let i = row as usize;
-            surface.curvature[i] = felt.curvature;
-            surface.force[i] = felt.force;
-            self.places[i] = felt.place;
-            if let Some((colour, inward)) = felt.at_surface {
-                surface.active += 1;
-                surface.colour[i] = colour;
-                surface.normal[i] = inward;
-            }
-        }
-        self.load_walls(&mesh, particles, surroundings, margin, &mut surface.borne);
+            .for_each(feel);
+        self.load_walls(
+            &mesh,
+            particles,
+            rows,
+            surroundings,
+            margin,
+            &mut surface.borne,
+        );
+        true
     }
 
-    /// Gives walls what they bear of the fields' forces.
+    /// Gives walls what they bear of one mesh's forces.
     fn load_walls(
         &mut self,
         mesh: &Mesh<D>,
         particles: &Particles<D>,
+        rows: &[u32],
         surroundings: &Surroundings<'_, D>,
         margin: i64,
         borne: &mut [Vector<f64, D>],
@@ -223,9 +264,9 @@ impl<const D: usize> Scratch<D> {
         };
         let reaction = &mut self.reaction;
         let tension = surroundings.surface_tension * surroundings.spacing.powi(D as i32 - 2);
-        reaction.start(self.nodes.lines(), beside.wall, tension);
+        reaction.start(self.nodes.lines(), beside.wall, tension * SHARE);
         let reach = margin as f64 * surroundings.spacing;
-        for (&row, felt) in self.held.iter().zip(&self.felt) {
+        for (&row, felt) in rows.iter().zip(&self.felt) {
             let (push, wall) = felt.push;
             if push != Vector::ZERO {
                 let i = row as usize;
@@ -241,10 +282,10 @@ impl<const D: usize> Scratch<D> {
         if !reaction.finish(mesh) {
             return;
         }
-        for &row in &self.held {
+        for &row in rows {
             let i = row as usize;
-            if (surroundings.wall)(i).is_some() {
-                borne[i] = reaction.on_wall(mesh, &particles.position[i]);
+            if (surroundings.wall)(i).is_some() && mesh.holds(&particles.position[i]) {
+                borne[i] += reaction.on_wall(mesh, &particles.position[i]);
             }
         }
     }

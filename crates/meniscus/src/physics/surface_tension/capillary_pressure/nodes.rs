@@ -1,5 +1,5 @@
 //! Curvature of the surface, on the nodes of a mesh of spacing dx. With the volume V0 of a particle in cells, B
-//! the cubic B-spline of the mesh, P two passes of (1/4, 1/2, 1/4), S three:
+//! the cubic B-spline of the mesh, P two passes of (1/4, 1/2, 1/4), S five:
 //!
 //! - C = P sum_j V0 B(x - x_j), and of the walls C_w; c = C / (1 - C_w)       colour, 1 inside
 //! - n = grad c / |grad c|, with the gradient of the cubic spline through c; beside walls as in [`normals`](super::normals)
@@ -17,14 +17,15 @@
 //! where div(-n) changes by a quarter), so the closest point of a node hardly matters.
 //!
 //! kappa_1 undoes what spreading, smoothing and differences take: a ripple of wave number k loses k^2 v / 2 by a variance v of all
-//! steps, some 4.2 dx^2 (spline 1/3, passes 1 and 3/2, gradient, divergence, and two interpolations of 1/3 each), and
-//! one smoothing more, of 3/2 dx^2, tells how much that is: f = 3.3, by exact ripples of a flat surface (2.8 by count). Where a wall
+//! steps, 5.2 dx^2 (spline 1/3, passes 1 and 5/2, gradient 1/3, divergence 1/3, and interpolations 2/3), and
+//! one smoothing more, of 5/2 dx^2, tells how much that is: f = 5.2 / 2.5 = 2.07, by count, right to first order in k^2 for any surface. Where a wall
 //! cuts a mean off, there is no ripple to undo, and what the contact line pulls, next to what the surface turns, is not sharpened either: r falls to 0 up to a colour of the wall, smoothed
 //! more, of 0.1, and kappa_1 has the sum of kappa_0 over the surface whatever r is. Smoothed, the level set of a ball lies
 //! deeper than its surface, and is more curved: b = 0.88 in two dimensions and 1.47 in three, by exact discs and balls (by theory of the spread
 //! alone 2/3 and 4/3).
 //!
-//! A mean over more of the surface leaves less of what the disorder of particles makes of k, which drives currents; a wider colour would do the same, but not see
+//! A mean over more of the surface leaves less of what the disorder of particles makes of k, which drives currents: with S of three passes drops of La = 12000
+//! turn twice as fast; a wider colour would do the same, but not see
 //! voids of three spacings, which then stay open at walls.
 //!
 //! The contact line's part is T's of grad s . (n - cos(theta) n_w) over the surface, where s falls from 1 to 0 through the surface of a wall, n_w is the
@@ -50,13 +51,13 @@ use crate::vector::Vector;
 /// Passes of smoothing of the colour.
 pub(super) const PASSES: usize = 2;
 /// Those of the curvature.
-const MEAN: usize = 3;
-/// Nodes that a mesh reaches beyond its particles: colour reaches four, and its curvature is smoothed over three more, twice. The colour of a wall goes on beyond a contact line, and
+const MEAN: usize = 5;
+/// Nodes that a mesh reaches beyond its particles: the surface lies within two of them, and is smoothed over five more. The colour of a wall goes on beyond a contact line, and
 /// is to be right up to four nodes from there. Beyond a periodic face there are more of them,
 /// whose curvature is smoothed into that of the last.
 pub(super) const MARGIN: i64 = 7;
 pub(super) const WALLED_MARGIN: i64 = 9;
-pub(super) const PERIODIC_MARGIN: i64 = 14;
+pub(super) const PERIODIC_MARGIN: i64 = 18;
 /// Colours between which the surface lies.
 const SURFACE: [f64; 2] = [0.2, 0.8];
 /// Colour down to which it has a direction.
@@ -69,8 +70,12 @@ pub(super) const LEAST_SLOPE: f64 = 0.02;
 const WALL: [f64; 2] = [0.1, 0.9];
 /// Colour of a wall from which on nothing is divided by what it leaves.
 const SOLID: f64 = 0.995;
+/// Variance of the mean of curvature, dx^2, and of all other steps: spline and passes of the colour, gradient, divergence, and
+/// two interpolations.
+pub(super) const SMOOTHED: f64 = 0.5 * MEAN as f64;
+pub(super) const OTHERWISE: f64 = VARIANCE + 4.0 / 3.0;
 /// f
-const SHARPENING: f64 = 3.3;
+pub(super) const SHARPENING: f64 = (SMOOTHED + OTHERWISE) / SMOOTHED;
 /// Colour of a wall, smoothed more, from which on nothing is sharpened.
 const CUT_OFF: f64 = 0.1;
 

@@ -1,7 +1,7 @@
 //! A mesh under particles: what they spread on it, and what they feel of a field on it.
 //!
 //! A particle spreads by the cubic B-spline, on four nodes along each axis, and feels the gradient of
-//! the same spline. Nodes lie at whole multiples of the spacing, wherever the particles are. Tasks work on
+//! the same spline. Nodes lie at whole multiples of the spacing, or some part of it beyond, wherever the particles are. Tasks work on
 //! layers of nodes across the first axis; what a node adds up, it adds in one order for any number of threads.
 //!
 //! - `spread`: what particles spread
@@ -32,6 +32,8 @@ const FARTHEST: f64 = 1e12;
 pub(super) struct Mesh<const D: usize> {
     /// Distance of nodes, m.
     pub spacing: f64,
+    /// Where nodes lie beyond whole multiples of that, along each axis, of it.
+    beyond: f64,
     low: [i64; D],
     size: [usize; D],
     stride: [usize; D],
@@ -65,11 +67,12 @@ struct Touched<const D: usize> {
 }
 
 impl<const D: usize> Mesh<D> {
-    /// The mesh that reaches `margin` nodes beyond all points; none without a point, or with one at no place
+    /// The mesh that reaches `margin` nodes beyond all points, its nodes `beyond` spacings from whole multiples; none without a point, or with one at no place
     /// or out of all bounds, as of a flow that blows up.
     pub fn around(
         points: impl Iterator<Item = Vector<f64, D>>,
         spacing: f64,
+        beyond: f64,
         margin: i64,
     ) -> Option<Self> {
         let mut low = [i64::MAX; D];
@@ -80,7 +83,7 @@ impl<const D: usize> Mesh<D> {
                 return None;
             }
             for d in 0..D {
-                let node = (x[d] / spacing).floor() as i64;
+                let node = (x[d] / spacing - beyond).floor() as i64;
                 low[d] = low[d].min(node);
                 high[d] = high[d].max(node);
             }
@@ -96,6 +99,7 @@ impl<const D: usize> Mesh<D> {
         }
         Some(Self {
             spacing,
+            beyond,
             low: low.map(|low| low - margin),
             size,
             stride,
@@ -112,10 +116,15 @@ impl<const D: usize> Mesh<D> {
         LAYERS_PER_TASK * self.stride[0]
     }
 
+    /// How many nodes far along an axis a coordinate is.
+    fn along(&self, x: f64) -> f64 {
+        x / self.spacing - self.beyond
+    }
+
     /// Whether a point's spline lies inside, with a node to spare.
     pub fn holds(&self, x: &Vector<f64, D>) -> bool {
         (0..D).all(|d| {
-            let index = (x[d] / self.spacing).floor() as i64 - self.low[d];
+            let index = self.along(x[d]).floor() as i64 - self.low[d];
             (2..self.size[d] as i64 - 3).contains(&index)
         })
     }
@@ -125,7 +134,7 @@ impl<const D: usize> Mesh<D> {
         let mut x = Vector::ZERO;
         for d in 0..D {
             let index = (node / self.stride[d]) as i64 + self.low[d];
-            x[d] = index as f64 * self.spacing;
+            x[d] = (index as f64 + self.beyond) * self.spacing;
             node %= self.stride[d];
         }
         x
@@ -133,7 +142,7 @@ impl<const D: usize> Mesh<D> {
 
     /// The node nearest to a point inside.
     pub fn nearest(&self, x: &Vector<f64, D>) -> usize {
-        let index = |d: usize| ((x[d] / self.spacing).round() as i64 - self.low[d]) as usize;
+        let index = |d: usize| (self.along(x[d]).round() as i64 - self.low[d]) as usize;
         (0..D).map(|d| index(d) * self.stride[d]).sum()
     }
 
@@ -150,7 +159,7 @@ impl<const D: usize> Mesh<D> {
             slopes: [[0.0; 4]; D],
         };
         for d in 0..D {
-            let place = x[d] / self.spacing;
+            let place = self.along(x[d]);
             let node = place.floor();
             let index = (node as i64 - 1 - self.low[d]) as usize;
             if d == 0 {
@@ -187,7 +196,7 @@ mod tests {
     fn points_at_no_place_have_no_mesh() {
         for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300] {
             let points = [Vector([0.0, 1.0]), Vector([x, 0.0])];
-            assert!(Mesh::around(points.into_iter(), 1.0, 5).is_none());
+            assert!(Mesh::around(points.into_iter(), 1.0, 0.0, 5).is_none());
         }
     }
 
@@ -201,7 +210,7 @@ mod tests {
         for k in 0..50 {
             points.push(place(k), [1.0, 2.0]);
         }
-        let mesh = Mesh::around((0..50).map(place), 1.5, 12).unwrap();
+        let mesh = Mesh::around((0..50).map(place), 1.5, 0.0, 12).unwrap();
         let mut fields = [vec![0.0; mesh.len()], vec![0.0; mesh.len()]];
         let [a, b] = &mut fields;
         mesh.spread(&mut points, [a, b]);
@@ -236,7 +245,7 @@ mod tests {
     #[test]
     fn fields_are_harmonic_where_they_are_not_known() {
         let points = [Vector([0.0, 0.0]), Vector([20.0, 33.0])];
-        let mesh = Mesh::around(points.into_iter(), 1.0, 3).unwrap();
+        let mesh = Mesh::around(points.into_iter(), 1.0, 0.0, 3).unwrap();
         let mut harmonic = Harmonic::default();
         let mut extend = |known: &dyn Fn(usize) -> Option<f64>| {
             let mut values: Vec<f64> = (0..mesh.len()).map(|i| known(i).unwrap_or(9.0)).collect();

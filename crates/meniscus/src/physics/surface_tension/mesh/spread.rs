@@ -90,7 +90,7 @@ impl<const D: usize> Layered<D> {
 
     fn sort(&mut self, mesh: &Mesh<D>) {
         let layer =
-            |x: &Vector<f64, D>| ((x[0] / mesh.spacing).floor() as i64 - 1 - mesh.low[0]) as usize;
+            |x: &Vector<f64, D>| (mesh.along(x[0]).floor() as i64 - 1 - mesh.low[0]) as usize;
         self.starts.clear();
         self.starts.resize(mesh.size[0] + 1, 0);
         for (x, _) in &self.points {

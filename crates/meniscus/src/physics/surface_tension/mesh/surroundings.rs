@@ -30,13 +30,14 @@ impl<const D: usize> Surroundings<'_, D> {
         }
     }
 
-    /// The mesh that reaches `margin` nodes beyond the liquid among `rows`, with what these spread: liquid its
+    /// The mesh that reaches `margin` nodes beyond the liquid among `rows`, its nodes `beyond` spacings from whole multiples, with what these spread: liquid its
     /// volume at rest in cells of the mesh, walls one, and the cosine of their contact angle. None without liquid, or
     /// with some at no place.
     pub(in crate::physics::surface_tension) fn mesh(
         &self,
         particles: &Particles<D>,
         rows: &[u32],
+        beyond: f64,
         margin: i64,
         liquid: &mut Layered<D>,
         walls: &mut Layered<D>,
@@ -44,7 +45,7 @@ impl<const D: usize> Surroundings<'_, D> {
         let row_of_liquid = |row: &&u32| (self.wall)(**row as usize).is_none();
         let position = |row: &u32| particles.position[*row as usize];
         let places = rows.iter().filter(row_of_liquid).map(position);
-        let mesh = Mesh::around(places, self.spacing, margin)?;
+        let mesh = Mesh::around(places, self.spacing, beyond, margin)?;
         liquid.clear();
         walls.clear();
         let volume = self.density * self.spacing.powi(D as i32);

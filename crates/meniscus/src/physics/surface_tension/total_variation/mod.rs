@@ -106,7 +106,7 @@ impl<const D: usize> Scratch<D> {
             ..
         } = surroundings;
         let (liquid, walls) = (&mut self.liquid, &mut self.walls);
-        let Some(mesh) = surroundings.mesh(particles, rows, MARGIN, liquid, walls) else {
+        let Some(mesh) = surroundings.mesh(particles, rows, 0.0, MARGIN, liquid, walls) else {
             return;
         };
         self.find_potential(&mesh);
