@@ -7,9 +7,9 @@
 //!
 //! The sum knows the condition p - q = 0 of a free surface, and near it there is next to nothing to sum: particles in disorder
 //! push each other by what p - q is, not by p, and a liquid under a hollow surface, where p < 0, is not torn apart. The
-//! gradient is that of a field on a mesh, exact for whatever particles.
+//! gradient is that of fields on meshes, exact for whatever particles.
 //!
-//! The field is found in a few passes over a mesh of the particles' spacing (`nodes`): smoothed colour, curvature of its
+//! The field is found in a few passes over a mesh of the particles' spacing, and over another amid its nodes (`nodes`): smoothed colour, curvature of its
 //! level sets, the mean of that over the surface, sharpened by what the smoothing took from long ripples; inside it is harmonic (`inward`). At the contact line
 //! q feels how far the angle is from that of Young, as in the derivative of an energy, the area of the surface and the wet wall's.
 //!
@@ -75,7 +75,7 @@ const INSIDE: f64 = 0.95;
 const PARTICLES_PER_TASK: usize = 256;
 
 /// Where nodes of meshes lie beyond whole multiples of the spacing, along each axis, of it. Particles in rows and a mesh of about the
-/// same spacing beat: with one mesh, the stiffness of drops of 7 dx depended on its place by 2 %, with two, one amid the other, by 0.1 %.
+/// same spacing beat: with one mesh, the stiffness of settled drops of 7 dx depended on its place by 2 %, with two, one amid the other, by 0.1 %.
 const MESHES: [f64; 2] = [0.0, 0.5];
 /// Of each.
 const SHARE: f64 = 1.0 / MESHES.len() as f64;
