@@ -174,31 +174,14 @@ impl<const D: usize> Level<D> {
         });
     }
 
-    /// Twice the number of axes times the mean of neighbours; that of a cell itself beyond an edge.
-    fn around(size: Size<D>, values: &[f64], cell: usize) -> f64 {
-        let at = size.place(cell);
-        let (mut sum, mut stride) = (0.0, 1);
-        for d in (0..D).rev() {
-            sum += values[if at[d] > 0 { cell - stride } else { cell }];
-            sum += values[if at[d] + 1 < size.0[d] {
-                cell + stride
-            } else {
-                cell
-            }];
-            stride *= size.0[d];
-        }
-        sum
-    }
-
     /// Jacobi's passes.
     fn relax(&mut self, passes: usize) {
         let (size, link) = (self.size, self.link);
         let links = 2.0 * D as f64 * link;
         for _ in 0..passes {
             let (from, right, weight) = (&self.values, &self.right, &self.weight);
-            set(&mut self.spare, from.len(), |cell| {
-                let around = link * Self::around(size, from, cell);
-                let to = (right[cell] + around) / (weight[cell] + links);
+            size.by_neighbours(from, &mut self.spare, |cell, around| {
+                let to = (right[cell] + link * around) / (weight[cell] + links);
                 from[cell] + DAMPING * (to - from[cell])
             });
             std::mem::swap(&mut self.values, &mut self.spare);
@@ -210,17 +193,15 @@ impl<const D: usize> Level<D> {
         let (size, link) = (self.size, self.link);
         let links = 2.0 * D as f64 * link;
         let (of, right, weight) = (&self.values, &self.right, &self.weight);
-        set(&mut self.spare, of.len(), |cell| {
-            let around = link * Self::around(size, of, cell);
-            right[cell] + around - (weight[cell] + links) * of[cell]
+        size.by_neighbours(of, &mut self.spare, |cell, around| {
+            right[cell] + link * around - (weight[cell] + links) * of[cell]
         });
     }
 
     /// Adds what lies between the cells of a coarser level.
     fn correct(&mut self, coarse: &Self) {
         let size = self.size;
-        let more = |cell: usize| -> f64 {
-            let at = size.place(cell);
+        let more = |at: [usize; D]| -> f64 {
             let share = |corner: [usize; D]| {
                 let mut share = 1.0;
                 let to: [usize; D] = std::array::from_fn(|d| {
@@ -236,13 +217,60 @@ impl<const D: usize> Level<D> {
             };
             corners::<D>().map(share).sum()
         };
-        (self.values.par_iter_mut().enumerate())
-            .with_min_len(CELLS_PER_TASK)
-            .for_each(|(cell, value)| *value += more(cell));
+        size.by_rows(&mut self.values, |start, row| {
+            let mut at = size.place(start);
+            for value in row {
+                *value += more(at);
+                at[D - 1] += 1;
+            }
+        });
     }
 }
 
 impl<const D: usize> Size<D> {
+    /// Works on the rows of cells along the last axis, with the first cell of each.
+    fn by_rows(self, column: &mut [f64], work: impl Fn(usize, &mut [f64]) + Sync) {
+        let length = self.0[D - 1];
+        (column.par_chunks_mut(length).enumerate())
+            .with_min_len(CELLS_PER_TASK.div_ceil(length))
+            .for_each(|(row, cells)| work(row * length, cells));
+    }
+
+    /// What each cell comes to by the sum of its neighbours; beyond an edge it is its own.
+    fn by_neighbours(
+        self,
+        of: &[f64],
+        to: &mut Vec<f64>,
+        value: impl Fn(usize, f64) -> f64 + Sync,
+    ) {
+        to.resize(of.len(), 0.0);
+        self.by_rows(to, |start, row| {
+            let (at, length) = (self.place(start), row.len());
+            // The starts of the rows on either side.
+            let mut beside = [[start; 2]; D];
+            let mut stride = length;
+            for d in (0..D - 1).rev() {
+                if at[d] > 0 {
+                    beside[d][0] -= stride;
+                }
+                if at[d] + 1 < self.0[d] {
+                    beside[d][1] += stride;
+                }
+                stride *= self.0[d];
+            }
+            for (k, to) in row.iter_mut().enumerate() {
+                let cell = start + k;
+                let mut sum = of[cell - usize::from(k > 0)];
+                sum += of[cell + usize::from(k + 1 < length)];
+                for [before, after] in beside[..D - 1].iter().rev() {
+                    sum += of[before + k];
+                    sum += of[after + k];
+                }
+                *to = value(cell, sum);
+            }
+        });
+    }
+
     /// What the nodes of a cell add up to.
     fn sum(self, cell: usize, fine: Self, of: &[f64]) -> f64 {
         let at = self.place(cell);

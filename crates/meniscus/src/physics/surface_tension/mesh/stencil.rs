@@ -48,8 +48,11 @@ impl<const D: usize> Mesh<D> {
                     let first = task * nodes;
                     to.copy_from_slice(&from[first..first + to.len()]);
                     let (low, high) = (inner.start.max(first), inner.end.min(first + to.len()));
-                    for i in low..high {
-                        to[i - first] = from[i] * 0.5 + (from[i - s] + from[i + s]) * 0.25;
+                    let (to, of) = (&mut to[low - first..high - first], &from[low..high]);
+                    let (before, after) = (&from[low - s..high - s], &from[low + s..high + s]);
+                    for (((to, of), before), after) in to.iter_mut().zip(of).zip(before).zip(after)
+                    {
+                        *to = *of * 0.5 + (*before + *after) * 0.25;
                     }
                 });
                 std::mem::swap(values, spare);
