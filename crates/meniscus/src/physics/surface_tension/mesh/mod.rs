@@ -240,6 +240,21 @@ mod tests {
         }
     }
 
+    /// Whatever number of layers is left for the last task.
+    #[test]
+    fn smoothing_keeps_what_is_spread_on_meshes_of_any_size() {
+        for margin in 6..=6 + LAYERS_PER_TASK as i64 {
+            let x = Vector([0.3, 0.6]);
+            let mesh = Mesh::around([x].into_iter(), 1.0, 0.0, margin).unwrap();
+            let (mut field, mut spare) = (vec![0.0; mesh.len()], Vec::new());
+            mesh.spread_at(&mut field, &x, 1.0);
+            mesh.smooth(&mut field, &mut spare, 3);
+            assert!((field.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+            let (value, _) = mesh.feel_at(&field, &x);
+            assert!((0.05..0.2).contains(&value), "{value}");
+        }
+    }
+
     /// What is the same where it is known is the same everywhere, and no field leaves its bounds; between two known lines a field is linear, and what is known
     /// on a circle as cos(2 phi) goes inwards with r^2.
     #[test]

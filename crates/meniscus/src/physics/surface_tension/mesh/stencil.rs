@@ -48,6 +48,9 @@ impl<const D: usize> Mesh<D> {
                     let first = task * nodes;
                     to.copy_from_slice(&from[first..first + to.len()]);
                     let (low, high) = (inner.start.max(first), inner.end.min(first + to.len()));
+                    if low >= high {
+                        return;
+                    }
                     let (to, of) = (&mut to[low - first..high - first], &from[low..high]);
                     let (before, after) = (&from[low - s..high - s], &from[low + s..high + s]);
                     for (((to, of), before), after) in to.iter_mut().zip(of).zip(before).zip(after)
