@@ -65,8 +65,9 @@ fn ripples_keep_what_theory_leaves_of_their_curvature() {
         let left = left((TAU / length).powi(2));
         println!("ripple {length}: {}, by theory {left}", sum / 3.0);
         assert!((sum / 3.0 - left).abs() < 0.015, "{length}: {}", sum / 3.0);
+        let whole = length < 24.0 || (sum / 3.0 - 1.0).abs() < 0.03;
+        assert!(whole, "{length}: {}", sum / 3.0);
     }
-    assert!(left((TAU / 36.0).powi(2)) > 0.99);
 }
 
 /// What mode 2 adds to the curvature of a ball, over what it does to first order: 3 a / R^2 in two dimensions, 4 a / R^2 in three for a height a.
@@ -106,7 +107,7 @@ fn of_mode<const D: usize>(radius: f64, fineness: usize) -> f64 {
 }
 
 /// What a drop swings by: it is too fast by half of what this is over one. Ripples of the same Laplacian, n^2 / R^2 in two dimensions and
-/// n (n + 1) / R^2 in three, lose as much; the correction by b is for what is the same all over, and leaves mode 2 some dx^2 / R^2 too much
+/// n (n + 1) / R^2 in three, lose as much; the correction by b is for what is the same all over, and leaves mode 2 some 1.1 dx^2 / R^2 too much
 /// in two dimensions and 2.6 in three.
 #[test]
 fn mode_two_has_its_curvature_but_for_parts_that_fall_with_resolution() {
@@ -115,6 +116,8 @@ fn mode_two_has_its_curvature_but_for_parts_that_fall_with_resolution() {
         println!("mode 2 of a ball {radius}: {mode}, by theory {theory}");
         let off = (mode - theory).abs();
         assert!(off < 0.015, "{radius}: {mode}");
+        // By half of that a drop swings too fast or slowly: one hundredth.
+        assert!((mode - 1.0).abs() < 0.02, "{radius}: {mode}");
     };
     for radius in [7.0, 10.0, 13.0, 26.0] {
         right(radius, of_mode::<2>(radius, 8), (4.0, 1.1));
