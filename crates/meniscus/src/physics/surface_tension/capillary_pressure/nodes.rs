@@ -87,6 +87,9 @@ const fn deeper(dimension: usize) -> f64 {
 }
 /// Least of what curvatures are divided by.
 const SHALLOWEST: f64 = 0.3;
+/// Weights of the surface between which it begins to have contact lines. Those of drops have more than 0.02 around them; deep in a wall that is
+/// wet all over, where colour is a ratio of small numbers, it may look as if there were a surface, of less than 0.001.
+const SEEN: [f64; 2] = [0.002, 0.01];
 /// Weight of the surface below which the contact line's part is not divided by it, and the most of that part, 1/dx.
 const LEAST_SURFACE: f64 = 0.05;
 const MOST_PULLED: f64 = 0.5;
@@ -289,6 +292,12 @@ impl<const D: usize> Nodes<D> {
         mesh.smooth(&mut self.surface, spare, MEAN);
         self.smooth_weight.clone_from(&self.surface);
         if walled {
+            let lines = self.line.iter_mut().zip(&mut self.lines);
+            for ((line, pull), surface) in lines.zip(&self.surface) {
+                let there = 1.0 - facing::fading(*surface, SEEN);
+                *line *= there;
+                *pull = *pull * there;
+            }
             let (weight, smooth) = (&mut self.weight, &mut self.smooth_weight);
             let along = [&mut self.pull, &mut self.line];
             self.even.out(mesh, MEAN, weight, smooth, along, spare);
