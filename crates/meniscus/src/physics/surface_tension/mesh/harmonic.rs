@@ -38,6 +38,8 @@ struct Level<const D: usize> {
     link: f64,
     /// w
     weight: Vec<f64>,
+    /// What a pass changes a value by, over what is left of its equation.
+    change: Vec<f64>,
     /// w v, or what is left of it.
     right: Vec<f64>,
     /// u
@@ -75,18 +77,6 @@ impl<const D: usize> Size<D> {
     }
 }
 
-/// The 2^D corners of a cube.
-fn corners<const D: usize>() -> impl Iterator<Item = [usize; D]> {
-    (0..1_usize << D).map(|corner| std::array::from_fn(|d| corner >> d & 1))
-}
-
-fn set(column: &mut Vec<f64>, length: usize, value: impl Fn(usize) -> f64 + Sync) {
-    column.resize(length, 0.0);
-    (column.par_iter_mut().enumerate())
-        .with_min_len(CELLS_PER_TASK)
-        .for_each(|(cell, to)| *to = value(cell));
-}
-
 impl<const D: usize> Mesh<D> {
     /// Makes `values` harmonic: where `weight` is 1 they stay nearly as they are, by links of `link`, and where it is
     /// zero their own do not count. All zero where all weights are.
@@ -107,8 +97,11 @@ impl<const D: usize> Mesh<D> {
         let finest = &mut levels[0];
         finest.size = Size(self.size);
         finest.link = link;
-        set(&mut finest.weight, values.len(), |i| weight[i]);
-        set(&mut finest.right, values.len(), |i| weight[i] * values[i]);
+        finest.weight.clear();
+        finest.weight.extend_from_slice(weight);
+        finest.right.clear();
+        (finest.right).extend(weight.iter().zip(&*values).map(|(w, v)| w * v));
+        finest.prepare();
         for k in 1..=depth {
             let (fine, coarse) = levels.split_at_mut(k);
             coarse[0].weigh(&fine[k - 1]);
@@ -153,18 +146,19 @@ impl<const D: usize> Level<D> {
     fn weigh(&mut self, fine: &Self) {
         self.size = Size(fine.size.0.map(|n| n.div_ceil(2)));
         self.link = fine.link * 2_f64.powi(D as i32 - 2);
-        let size = self.size;
-        set(&mut self.weight, size.cells(), |cell| {
-            size.sum(cell, fine.size, &fine.weight)
-        });
+        self.size.sum(&mut self.weight, fine.size, &fine.weight);
+        self.prepare();
+    }
+
+    fn prepare(&mut self) {
+        let links = 2.0 * D as f64 * self.link;
+        self.change.clear();
+        (self.change).extend(self.weight.iter().map(|weight| DAMPING / (weight + links)));
     }
 
     /// Takes the sums over its cells for its right side.
     fn gather(&mut self, of: Size<D>, fine: &[f64]) {
-        let size = self.size;
-        set(&mut self.right, size.cells(), |cell| {
-            size.sum(cell, of, fine)
-        });
+        self.size.sum(&mut self.right, of, fine);
     }
 
     fn start(&mut self) {
@@ -174,23 +168,24 @@ impl<const D: usize> Level<D> {
 
     /// What a single cell has.
     fn end(&mut self) {
-        let (right, weight) = (&self.right, &self.weight);
-        set(&mut self.values, right.len(), |cell| {
-            ratio(right[cell], weight[cell])
-        });
+        self.values.clear();
+        let of_cells = self.right.iter().zip(&self.weight);
+        (self.values).extend(of_cells.map(|(right, weight)| ratio(*right, *weight)));
     }
 
     /// Jacobi's passes.
     fn relax(&mut self, passes: usize) {
-        let (size, link) = (self.size, self.link);
-        let links = 2.0 * D as f64 * link;
         for _ in 0..passes {
-            let (from, right, weight) = (&self.values, &self.right, &self.weight);
-            size.by_neighbours(from, &mut self.spare, |cell, around| {
-                let to = (right[cell] + link * around) / (weight[cell] + links);
-                from[cell] + DAMPING * (to - from[cell])
+            self.find_rest();
+            let change = &self.change;
+            let rest = &self.spare;
+            self.size.by_rows(&mut self.values, |start, row| {
+                let cells = start..start + row.len();
+                let by = rest[cells.clone()].iter().zip(&change[cells]);
+                for (value, (rest, change)) in row.iter_mut().zip(by) {
+                    *value += rest * change;
+                }
             });
-            std::mem::swap(&mut self.values, &mut self.spare);
         }
     }
 
@@ -199,95 +194,116 @@ impl<const D: usize> Level<D> {
         let (size, link) = (self.size, self.link);
         let links = 2.0 * D as f64 * link;
         let (of, right, weight) = (&self.values, &self.right, &self.weight);
-        size.by_neighbours(of, &mut self.spare, |cell, around| {
-            right[cell] + link * around - (weight[cell] + links) * of[cell]
+        self.spare.resize(of.len(), 0.0);
+        size.by_rows(&mut self.spare, |start, row| {
+            let cells = start..start + row.len();
+            size.add_neighbours(of, start, row);
+            let own = of[cells.clone()].iter().zip(&weight[cells.clone()]);
+            for (rest, (right, (own, weight))) in row.iter_mut().zip(right[cells].iter().zip(own)) {
+                *rest = right + link * *rest - (weight + links) * own;
+            }
         });
     }
 
-    /// Adds what lies between the cells of a coarser level.
+    /// Adds what lies between the cells of a coarser level: of each axis three quarters of the nearest, a quarter of the next.
     fn correct(&mut self, coarse: &Self) {
         let size = self.size;
-        let more = |at: [usize; D]| -> f64 {
-            let share = |corner: [usize; D]| {
-                let mut share = 1.0;
-                let to: [usize; D] = std::array::from_fn(|d| {
-                    let near = at[d] / 2;
-                    share *= [0.75, 0.25][corner[d]];
-                    match (corner[d], at[d] % 2) {
-                        (0, _) => near,
-                        (_, 0) => near.saturating_sub(1),
-                        _ => (near + 1).min(coarse.size.0[d] - 1),
-                    }
-                });
-                share * coarse.values[coarse.size.cell(to)]
-            };
-            corners::<D>().map(share).sum()
-        };
         size.by_rows(&mut self.values, |start, row| {
-            let mut at = size.place(start);
-            for value in row {
-                *value += more(at);
-                at[D - 1] += 1;
+            let at = size.place(start);
+            for corner in 0..1_usize << (D - 1) {
+                let (mut from, mut share) = ([0; D], 1.0);
+                for d in 0..D - 1 {
+                    let next = corner >> d & 1 == 1;
+                    share *= if next { 0.25 } else { 0.75 };
+                    from[d] = if next {
+                        coarse.size.next(at[d], d)
+                    } else {
+                        at[d] / 2
+                    };
+                }
+                let first = coarse.size.cell(from);
+                let coarse = &coarse.values[first..first + coarse.size.0[D - 1]];
+                for (k, &nearest) in coarse.iter().enumerate() {
+                    let before = coarse[k.saturating_sub(1)];
+                    let after = coarse[(k + 1).min(coarse.len() - 1)];
+                    row[2 * k] += share * (0.75 * nearest + 0.25 * before);
+                    if let Some(value) = row.get_mut(2 * k + 1) {
+                        *value += share * (0.75 * nearest + 0.25 * after);
+                    }
+                }
             }
         });
     }
 }
 
 impl<const D: usize> Size<D> {
+    /// The cell that is next nearest to one of the finer level, along an axis.
+    fn next(self, fine: usize, axis: usize) -> usize {
+        let near = fine / 2;
+        if fine.is_multiple_of(2) {
+            near.saturating_sub(1)
+        } else {
+            (near + 1).min(self.0[axis] - 1)
+        }
+    }
+
     /// Works on the rows of cells along the last axis, with the first cell of each.
     fn by_rows(self, column: &mut [f64], work: impl Fn(usize, &mut [f64]) + Sync) {
         let length = self.0[D - 1];
-        (column.par_chunks_mut(length).enumerate())
-            .with_min_len(CELLS_PER_TASK.div_ceil(length))
-            .for_each(|(row, cells)| work(row * length, cells));
+        let each = |(row, cells): (usize, &mut [f64])| work(row * length, cells);
+        if column.len() <= CELLS_PER_TASK {
+            column.chunks_mut(length).enumerate().for_each(each);
+        } else {
+            (column.par_chunks_mut(length).enumerate())
+                .with_min_len(CELLS_PER_TASK.div_ceil(length))
+                .for_each(each);
+        }
     }
 
-    /// What each cell comes to by the sum of its neighbours; beyond an edge it is its own.
-    fn by_neighbours(
-        self,
-        of: &[f64],
-        to: &mut Vec<f64>,
-        value: impl Fn(usize, f64) -> f64 + Sync,
-    ) {
-        to.resize(of.len(), 0.0);
-        self.by_rows(to, |start, row| {
-            let (at, length) = (self.place(start), row.len());
-            // The starts of the rows on either side.
-            let mut beside = [[start; 2]; D];
-            let mut stride = length;
-            for d in (0..D - 1).rev() {
-                if at[d] > 0 {
-                    beside[d][0] -= stride;
-                }
-                if at[d] + 1 < self.0[d] {
-                    beside[d][1] += stride;
-                }
-                stride *= self.0[d];
+    /// Makes a row that begins at `start` the sums of the neighbours of each cell; beyond an edge that is the cell's own value.
+    fn add_neighbours(self, of: &[f64], start: usize, row: &mut [f64]) {
+        let (at, length) = (self.place(start), row.len());
+        let own = &of[start..start + length];
+        for (k, sum) in row.iter_mut().enumerate() {
+            *sum = own[k.saturating_sub(1)] + own[(k + 1).min(length - 1)];
+        }
+        let mut stride = length;
+        for d in (0..D - 1).rev() {
+            let before = if at[d] > 0 { start - stride } else { start };
+            let after = if at[d] + 1 < self.0[d] {
+                start + stride
+            } else {
+                start
+            };
+            let beside = of[before..before + length]
+                .iter()
+                .zip(&of[after..after + length]);
+            for (sum, (before, after)) in row.iter_mut().zip(beside) {
+                *sum += before + after;
             }
-            for (k, to) in row.iter_mut().enumerate() {
-                let cell = start + k;
-                let mut sum = of[cell - usize::from(k > 0)];
-                sum += of[cell + usize::from(k + 1 < length)];
-                for [before, after] in beside[..D - 1].iter().rev() {
-                    sum += of[before + k];
-                    sum += of[after + k];
+            stride *= self.0[d];
+        }
+    }
+
+    /// What the nodes of each cell add up to.
+    fn sum(self, sums: &mut Vec<f64>, fine: Self, of: &[f64]) {
+        sums.resize(self.cells(), 0.0);
+        let length = fine.0[D - 1];
+        self.by_rows(sums, |start, row| {
+            row.fill(0.0);
+            let at = self.place(start);
+            for corner in 0..1_usize << (D - 1) {
+                let mut from: [usize; D] = std::array::from_fn(|d| 2 * at[d] + (corner >> d & 1));
+                from[D - 1] = 0;
+                if (0..D).any(|d| from[d] >= fine.0[d]) {
+                    continue;
                 }
-                *to = value(cell, sum);
+                let first = fine.cell(from);
+                for (sum, two) in row.iter_mut().zip(of[first..first + length].chunks(2)) {
+                    *sum += two.iter().sum::<f64>();
+                }
             }
         });
-    }
-
-    /// What the nodes of a cell add up to.
-    fn sum(self, cell: usize, fine: Self, of: &[f64]) -> f64 {
-        let at = self.place(cell);
-        let mut sum = 0.0;
-        for corner in corners::<D>() {
-            let to: [usize; D] = std::array::from_fn(|d| 2 * at[d] + corner[d]);
-            if (0..D).all(|d| to[d] < fine.0[d]) {
-                sum += of[fine.cell(to)];
-            }
-        }
-        sum
     }
 }
 
