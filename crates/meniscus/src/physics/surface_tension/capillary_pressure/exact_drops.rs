@@ -216,3 +216,26 @@ fn walls_leave_nothing_behind() {
     let (_, new) = found(&disc, std::iter::empty());
     assert_eq!(used.curvature, new.curvature);
 }
+
+/// A plate that hangs into a liquid whose particles keep a little more than half a spacing from it: deep in the plate the colour falls as if there
+/// were a surface.
+#[test]
+fn a_plate_that_is_wet_all_over_has_no_contact_line() {
+    for more in [0.0, 0.1, 0.15, 0.2] {
+        let of_plate = |x: &Vector<f64, 2>| x[0].abs() < 5.0 && x[1] > 0.0;
+        let off = |x: Vector<f64, 2>| match x[1] > 0.0 {
+            true => x + Vector([more * x[0].signum(), 0.0]),
+            false => x - Vector([0.0, more]),
+        };
+        let liquid: Vec<_> = (grid(30.0, 1.0).filter(|x| !of_plate(x)))
+            .map(|x| (off(x), 1.0))
+            .collect();
+        let plate = grid(30.0, 1.0).filter(of_plate).map(|x| (x, -0.5));
+        let (mesh, nodes) = found(&liquid, plate);
+        let of_end = |node: &usize| mesh.place(*node).norm() < 12.0;
+        let lines = (0..mesh.len())
+            .filter(of_end)
+            .map(|node| nodes.lines()[node].norm());
+        assert!(lines.sum::<f64>() < 1e-12, "{more}");
+    }
+}
