@@ -141,7 +141,10 @@ fn rise(run: &Evidence<'_>) -> Option<f64> {
     let frame = last(run)?;
     let inside = level(run, &frame, -HALF_GAP, HALF_GAP)?;
     let outside = HALF_GAP + 2.0 * FACE;
-    let far = level(run, &frame, outside, HALF_BOX)?;
+    // The pool goes on through the periodic faces.
+    let sides = [(-HALF_BOX, -outside), (outside, HALF_BOX)];
+    let [one, other] = sides.map(|(from, to)| level(run, &frame, from, to));
+    let far = 0.5 * (one? + other?);
     let right = theory::jurin_rise(angle, 1.0, 2.0 * HALF_GAP, 2);
     Some(100.0 * ((inside - far) / right - 1.0))
 }
