@@ -31,9 +31,9 @@ pub(super) fn unit<const D: usize>(vector: Vector<f64, D>) -> Vector<f64, D> {
     vector * (1.0 / vector.norm().max(f64::MIN_POSITIVE))
 }
 
-/// 1 up to the first of two colours of a wall, 0 from the second on, smooth in between.
-pub(super) fn fading(wall: f64, [from, to]: [f64; 2]) -> f64 {
-    let u = ((wall - from) / (to - from)).clamp(0.0, 1.0);
+/// 1 up to the first of two values, such as colours of a wall, 0 from the second on, smooth in between.
+pub(super) fn fading(value: f64, [from, to]: [f64; 2]) -> f64 {
+    let u = ((value - from) / (to - from)).clamp(0.0, 1.0);
     1.0 - u * u * (3.0 - 2.0 * u)
 }
 

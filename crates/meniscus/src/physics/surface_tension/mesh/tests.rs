@@ -103,6 +103,7 @@ fn fields_are_harmonic_where_they_are_not_known() {
         }
     }
 }
+
 /// What is known on two circles, little on one of them, and of opposite sign: the first cycle takes the error to a twentieth or less, the others to a half.
 #[test]
 fn cycles_take_the_error_of_harmonic_fields_away() {
